@@ -1,0 +1,46 @@
+#include "geometry/mesh.h"
+
+namespace vantage {
+
+Vec3 triangleNormal(const Mesh& mesh, const Triangle& t) {
+  const Vec3 n = areaVector(mesh, t);
+  const double length = n.norm();
+  return length > 0.0 ? Vec3(n / length) : Vec3(Vec3::Zero());
+}
+
+std::vector<Vec3> computeVertexNormals(const Mesh& mesh) {
+  std::vector<Vec3> normals(mesh.vertices.size(), Vec3::Zero());
+  for (const Triangle& t : mesh.triangles) {
+    const Vec3 n = areaVector(mesh, t);
+    for (const std::uint32_t v : t) normals[v] += n;
+  }
+  for (Vec3& n : normals) {
+    const double length = n.norm();
+    if (length > 0.0) n /= length;
+  }
+  return normals;
+}
+
+Mesh transformed(const Mesh& mesh, const Pose& T_target_mesh) {
+  Mesh result = mesh;
+  for (Vec3& v : result.vertices) v = T_target_mesh * v;
+  return result;
+}
+
+std::vector<std::uint32_t> removeUnusedVertices(Mesh& mesh) {
+  std::vector<std::uint32_t> newIndex(mesh.vertices.size(), kNoIndex);
+  for (const Triangle& t : mesh.triangles)
+    for (const std::uint32_t v : t) newIndex[v] = 0;
+  std::uint32_t used = 0;
+  for (std::size_t v = 0; v < newIndex.size(); ++v) {
+    if (newIndex[v] == kNoIndex) continue;
+    mesh.vertices[used] = mesh.vertices[v];
+    newIndex[v] = used++;
+  }
+  mesh.vertices.resize(used);
+  for (Triangle& t : mesh.triangles)
+    for (std::uint32_t& v : t) v = newIndex[v];
+  return newIndex;
+}
+
+}  // namespace vantage

@@ -1,0 +1,28 @@
+#include "scanner/range_image.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "base/errors.h"
+
+namespace vantage {
+
+std::size_t RangeImage::sampleCount() const {
+  return static_cast<std::size_t>(std::count_if(range.begin(), range.end(), [](float r) { return r == r; }));
+}
+
+void validate(const RangeImage& image) {
+  if (!image.rays) throw InvalidInput("range image without ranging rays");
+  if (image.range.size() != image.rays->size())
+    throw InvalidInput("range image has " + std::to_string(image.range.size()) + " distances for " +
+                       std::to_string(image.rays->size()) + " ranging rays");
+  for (std::size_t i = 0; i < image.range.size(); ++i)
+    if (image.valid(i) && (std::isinf(image.range[i]) || image.range[i] < 0.0F))
+      throw InvalidInput("range image: distance " + std::to_string(i) + " is " + std::to_string(image.range[i]));
+  const Eigen::Matrix3d& r = image.T_object_scanner.linear();
+  if (!image.T_object_scanner.matrix().allFinite() || !(r * r.transpose()).isIdentity(1e-6) || r.determinant() < 0.0)
+    throw InvalidInput("range image: the pose is not a rigid motion");
+}
+
+}  // namespace vantage

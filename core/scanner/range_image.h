@@ -1,0 +1,35 @@
+#pragma once
+
+#include <limits>
+#include <memory>
+#include <vector>
+
+#include "scanner/ray_grid.h"
+
+namespace vantage {
+
+/// One scan: a distance for every ranging ray, and where the scanner stood.
+struct RangeImage {
+  std::shared_ptr<const RayGrid> rays;  ///< scanner coordinates
+  std::vector<float> range;             ///< rays->size() distances along the rays [mm]; NaN where nothing was measured
+  Pose T_object_scanner = Pose::Identity();  ///< nominal until registered
+  int position = -1;                    ///< index into the workspace; -1 when unknown
+
+  [[nodiscard]] bool valid(std::size_t i) const { return range[i] == range[i]; }
+
+  /// The sample in scanner coordinates. @pre valid(i)
+  [[nodiscard]] Vec3 point(std::size_t i) const {
+    const RangingRay& ray = rays->ray(i);
+    return ray.origin + static_cast<double>(range[i]) * ray.direction;
+  }
+
+  [[nodiscard]] std::size_t sampleCount() const;
+};
+
+inline constexpr float kNoSample = std::numeric_limits<float>::quiet_NaN();
+
+/// @throws InvalidInput when the range image has no rays, the wrong number of distances, an infinite or a negative
+/// distance, or a pose that is not a rigid motion.
+void validate(const RangeImage& image);
+
+}  // namespace vantage

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <vector>
+
+#include "geometry/vectors.h"
+
+namespace vantage {
+
+/// The workspace X: every pose x_i that the scanner can take relative to the object, T_object_scanner, by position.
+/// x_0 is the identity for turntables: the world frame is the object frame of position 0.
+struct Workspace {
+  std::vector<Pose> poses;
+  /// Turntable positions per full turn; poses i and i + 1 of one tilt differ by a turn of 2 pi / steps about z. 0 when
+  /// the poses have no such order.
+  int steps = 0;
+
+  [[nodiscard]] std::size_t size() const { return poses.size(); }
+};
+
+/// A turntable of `steps` positions.
+[[nodiscard]] Workspace turntable(int steps);
+
+/// A turntable with a scanner that tilts about `tiltCentre`; a positive tilt [rad] raises the scanner so that it looks
+/// down. Positions run tilt by tilt, then step by step.
+[[nodiscard]] Workspace turntableWithTilt(int steps, const std::vector<double>& tilts, const Vec3& tiltCentre);
+
+/// How far the mechanics move between two positions: the rotation angle between the poses [rad] plus their translation
+/// that the rotation about the table's axis does not explain, per 100 mm. Used to break ties.
+[[nodiscard]] double motionBetween(const Workspace& workspace, int from, int to);
+
+}  // namespace vantage
