@@ -26,6 +26,16 @@ Progress Progress::withThreads(int threads) const {
   return copy;
 }
 
+Progress Progress::observedBy(Report observer) const {
+  Progress copy = *this;
+  copy.report_ = std::make_shared<const Report>(
+      [observer = std::move(observer), own = report_](double fraction, std::string_view step) {
+        observer(fraction, step);
+        if (own) (*own)(fraction, step);
+      });
+  return copy;
+}
+
 void Progress::checkpoint(double fraction) const {
   if (stop_.stop_requested()) throw Cancelled();
   if (report_) (*report_)(from_ + (to_ - from_) * std::clamp(fraction, 0.0, 1.0), step_);

@@ -27,6 +27,9 @@ class Progress {
   /// The same progress, restricted to `threads` threads.
   [[nodiscard]] Progress withThreads(int threads) const;
 
+  /// The same progress, whose reports go to `observer` as well (before its own).
+  [[nodiscard]] Progress observedBy(Report observer) const;
+
   /// Reports the fraction [0, 1] done of this part. @throws Cancelled when a stop was requested.
   void checkpoint(double fraction) const;
 

@@ -4,7 +4,7 @@
 
 namespace vantage {
 
-/// A seeded stream of random numbers (splitmix64 over a keyed counter), the same on every platform. Two streams with
+/// A seeded stream of random numbers (splitmix64 over a keyed counter), the same bits on every platform. Two streams with
 /// different keys are independent, so that work split over threads draws the same numbers: give every item a stream of
 /// its own, keyed by its index.
 class Random {
@@ -17,7 +17,7 @@ class Random {
   double uniform();
   /// Standard normal (Box-Muller).
   double normal();
-  /// Uniform in 0..count-1. @pre count > 0
+  /// Uniform in 0..count-1. @pre count is in 1..2^53
   std::uint64_t below(std::uint64_t count);
 
  private:

@@ -4,7 +4,9 @@
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 #include <OpenMesh/Core/Utils/Property.hh>
 #include <OpenMesh/Tools/Decimater/DecimaterT.hh>
+#include <OpenMesh/Tools/Decimater/ModNormalFlippingT.hh>
 #include <OpenMesh/Tools/Decimater/ModQuadricT.hh>
+#include <limits>
 
 namespace vantage {
 namespace {
@@ -14,8 +16,74 @@ struct MeshTraits : OpenMesh::DefaultTraits {
   using Normal = OpenMesh::Vec3d;
 };
 using OpenMeshMesh = OpenMesh::TriMesh_ArrayKernelT<MeshTraits>;
+using Decimater = OpenMesh::Decimater::DecimaterT<OpenMeshMesh>;
+
+// A collapse turns no triangle by more than this [degrees].
+constexpr double kMaxTurn = 60.0;
+// Collapses between two looks at the stop request.
+constexpr std::size_t kStopInterval = 1000;
+
+// Orders collapses by quadric error, which OpenMesh weighs by area, and refuses those whose vertex would lie farther
+// from the planes it stands for than a distance (root mean square over their area).
+class BoundedQuadric : public OpenMesh::Decimater::ModQuadricT<OpenMeshMesh> {
+ public:
+  using Base = OpenMesh::Decimater::ModQuadricT<OpenMeshMesh>;
+  using Handle = OpenMesh::Decimater::ModHandleT<BoundedQuadric>;
+
+  explicit BoundedQuadric(OpenMeshMesh& mesh) : Base(mesh) {
+    set_max_err(std::numeric_limits<double>::max(), false);
+    mesh.add_property(area_);
+  }
+  ~BoundedQuadric() override { mesh().remove_property(area_); }
+  BoundedQuadric(const BoundedQuadric&) = delete;
+  BoundedQuadric& operator=(const BoundedQuadric&) = delete;
+
+  void setMaxDistance(double distance) { maxSquaredDistance_ = distance * distance; }
+
+  void initialize() override {
+    Base::initialize();
+    for (const auto v : mesh().vertices()) {
+      double& area = mesh().property(area_, v);
+      area = 0.0;
+      for (const auto f : mesh().vf_range(v)) area += mesh().calc_face_area(f);
+    }
+  }
+
+  float collapse_priority(const OpenMesh::Decimater::CollapseInfoT<OpenMeshMesh>& collapse) override {
+    const float error = Base::collapse_priority(collapse);
+    const double area = mesh().property(area_, collapse.v0) + mesh().property(area_, collapse.v1);
+    return static_cast<double>(error) <= maxSquaredDistance_ * area ? error : static_cast<float>(ILLEGAL_COLLAPSE);
+  }
+
+  void postprocess_collapse(const OpenMesh::Decimater::CollapseInfoT<OpenMeshMesh>& collapse) override {
+    Base::postprocess_collapse(collapse);
+    mesh().property(area_, collapse.v1) += mesh().property(area_, collapse.v0);
+  }
+
+ private:
+  OpenMesh::VPropHandleT<double> area_;
+  double maxSquaredDistance_ = 0.0;
+};
+
+// Ends the decimation when a stop is requested.
+class StopObserver final : public OpenMesh::Decimater::Observer {
+ public:
+  explicit StopObserver(const Progress& progress) : Observer(kStopInterval), progress_(progress) {}
+  void notify(std::size_t /*step*/) override {}
+  [[nodiscard]] bool abort() const override { return progress_.stopRequested(); }
+
+ private:
+  const Progress& progress_;
+};
+
+// OpenMesh complains on std::cerr about every triangle it refuses; that is not ours to print.
+void silenceOpenMesh() {
+  static const bool silent = (omerr().disable(), true);
+  static_cast<void>(silent);
+}
 
 OpenMeshMesh toOpenMesh(const Mesh& mesh) {
+  silenceOpenMesh();
   OpenMeshMesh result;
   result.request_vertex_status();
   result.request_edge_status();
@@ -47,30 +115,41 @@ Mesh fromOpenMesh(const OpenMeshMesh& source) {
   return mesh;
 }
 
+void lockBoundary(OpenMeshMesh& mesh) {
+  for (const auto e : mesh.edges()) {
+    if (!mesh.is_boundary(e)) continue;
+    const auto h = mesh.halfedge_handle(e, 0);
+    mesh.status(mesh.from_vertex_handle(h)).set_locked(true);
+    mesh.status(mesh.to_vertex_handle(h)).set_locked(true);
+  }
+}
+
 }  // namespace
 
 Mesh decimate(const Mesh& mesh, const DecimationOptions& options, const Progress& progress) {
   progress.checkpoint(0.0);
+  validate(mesh);
   if (mesh.triangles.size() <= options.targetTriangles) return mesh;
-  // OpenMesh complains on std::cerr about every complex edge it refuses; that is not ours to print.
-  omerr().disable();
   OpenMeshMesh work = toOpenMesh(mesh);
-  omerr().enable();
-  if (options.keepBoundary) {
-    for (const auto e : work.edges()) {
-      if (!work.is_boundary(e)) continue;
-      const auto h = work.halfedge_handle(e, 0);
-      work.status(work.from_vertex_handle(h)).set_locked(true);
-      work.status(work.to_vertex_handle(h)).set_locked(true);
-    }
-  }
-  OpenMesh::Decimater::DecimaterT<OpenMeshMesh> decimater(work);
-  OpenMesh::Decimater::ModQuadricT<OpenMeshMesh>::Handle quadric;
-  decimater.add(quadric);
-  decimater.module(quadric).set_max_err(options.maxError * options.maxError, false);
-  decimater.initialize();
+  work.request_face_normals();
+  work.update_face_normals();
+  if (options.keepBoundary) lockBoundary(work);
   progress.checkpoint(0.2);
+
+  Decimater decimater(work);
+  BoundedQuadric::Handle quadric;
+  decimater.add(quadric);
+  decimater.module(quadric).setMaxDistance(options.maxError);
+  OpenMesh::Decimater::ModNormalFlippingT<OpenMeshMesh>::Handle flipping;
+  decimater.add(flipping);
+  decimater.module(flipping).set_max_normal_deviation(kMaxTurn);
+  StopObserver observer(progress);
+  decimater.set_observer(&observer);
+  decimater.initialize();
+  progress.checkpoint(0.3);
   decimater.decimate_to_faces(0, options.targetTriangles);
+  progress.checkpoint(0.9);
+
   work.garbage_collection();
   Mesh result = fromOpenMesh(work);
   removeUnusedVertices(result);

@@ -9,13 +9,17 @@ namespace vantage {
 
 struct DecimationOptions {
   std::size_t targetTriangles = 30000;
-  double maxError = 0.5;      ///< [mm] quadric distance at which decimation stops short of the target
-  bool keepBoundary = true;   ///< boundary edges survive as they are
+  /// [mm] How far a vertex may lie from the planes it stands for (root mean square over their area). Decimation stops
+  /// short of the target rather than go beyond.
+  double maxError = 0.5;
+  bool keepBoundary = true;  ///< boundary edges survive as they are; without it the boundary may recede
 };
 
-/// A coarser mesh by quadric edge collapse. Orientation and manifoldness are kept. Non-manifold triangles of the input
-/// are dropped. Deterministic.
-/// @throws Cancelled
+/// A coarser mesh by quadric edge collapse onto one of the edge's ends: its vertices are some of the input's.
+/// Orientation and manifoldness are kept; no triangle turns by more than 60 degrees in one collapse. Degenerate and
+/// non-manifold triangles of the input are dropped, unless it is small enough already: then it is returned as it is.
+/// Deterministic.
+/// @throws InvalidInput when a triangle names a vertex that the mesh does not have; Cancelled.
 [[nodiscard]] Mesh decimate(const Mesh& mesh, const DecimationOptions& options, const Progress& progress = {});
 
 }  // namespace vantage

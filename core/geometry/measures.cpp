@@ -1,6 +1,8 @@
 #include "geometry/measures.h"
 
+#include <cstdint>
 #include <numeric>
+#include <vector>
 
 #include "geometry/mesh_topology.h"
 
@@ -36,13 +38,16 @@ std::size_t countComponents(const Mesh& mesh, const MeshTopology& topology) {
   return components;
 }
 
+// Every vertex of the boundary is a piece of its own until an edge joins it to another.
 std::size_t countBoundaryLoops(const Mesh& mesh, const MeshTopology& topology) {
   DisjointSets sets(mesh.vertices.size());
   std::vector<std::uint8_t> seen(mesh.vertices.size(), 0);
   std::size_t loops = 0;
   for (const BoundaryEdge& e : topology.boundaryEdges()) {
-    loops += !seen[e.from] + !seen[e.to];
-    seen[e.from] = seen[e.to] = 1;
+    for (const std::uint32_t v : {e.from, e.to}) {
+      if (seen[v] == 0) ++loops;
+      seen[v] = 1;
+    }
     if (sets.find(e.from) == sets.find(e.to)) continue;
     sets.join(e.from, e.to);
     --loops;
@@ -62,10 +67,7 @@ BoundingBox boundingBox(const Mesh& mesh) {
   BoundingBox box;
   if (mesh.vertices.empty()) return box;
   box.min = box.max = mesh.vertices.front();
-  for (const Vec3& v : mesh.vertices) {
-    box.min = box.min.cwiseMin(v);
-    box.max = box.max.cwiseMax(v);
-  }
+  for (const Vec3& v : mesh.vertices) box.extend(v);
   return box;
 }
 
@@ -83,9 +85,9 @@ MeshMeasures measure(const Mesh& mesh) {
   for (const Triangle& t : mesh.triangles)
     for (int k = 0; k < 3; ++k) length += (mesh.vertices[t[k]] - mesh.vertices[t[(k + 1) % 3]]).norm();
   if (!mesh.triangles.empty()) m.meanEdgeLength = length / (3.0 * static_cast<double>(mesh.triangles.size()));
-  Mesh used = mesh;
-  removeUnusedVertices(used);
-  m.box = boundingBox(used);
+  if (!mesh.triangles.empty()) m.box.min = m.box.max = mesh.vertices[mesh.triangles[0][0]];
+  for (const Triangle& t : mesh.triangles)
+    for (const std::uint32_t v : t) m.box.extend(mesh.vertices[v]);
   return m;
 }
 

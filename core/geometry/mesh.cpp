@@ -1,6 +1,18 @@
 #include "geometry/mesh.h"
 
+#include <string>
+
+#include "base/errors.h"
+
 namespace vantage {
+
+void validate(const Mesh& mesh) {
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+    for (const std::uint32_t v : mesh.triangles[t])
+      if (v >= mesh.vertices.size())
+        throw InvalidInput("triangle " + std::to_string(t) + " names vertex " + std::to_string(v) + " of a mesh with " +
+                           std::to_string(mesh.vertices.size()) + " vertices");
+}
 
 Vec3 triangleNormal(const Mesh& mesh, const Triangle& t) {
   const Vec3 n = areaVector(mesh, t);

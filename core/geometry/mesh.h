@@ -21,6 +21,9 @@ struct Mesh {
   [[nodiscard]] bool empty() const { return triangles.empty(); }
 };
 
+/// @throws InvalidInput when a triangle names a vertex that the mesh does not have.
+void validate(const Mesh& mesh);
+
 /// Twice the area vector of a triangle: its direction is the outward normal.
 [[nodiscard]] inline Vec3 areaVector(const Mesh& mesh, const Triangle& t) {
   const Vec3& a = mesh.vertices[t[0]];

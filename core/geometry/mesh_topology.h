@@ -17,8 +17,10 @@ struct BoundaryEdge {
 
 /// Adjacency of a triangle mesh: for the k-th edge of a triangle (from its vertex k to vertex k+1) the triangle on the
 /// other side. Edges with more than two triangles, or with two that disagree in orientation, count as non-manifold.
+/// A triangle that names a vertex twice has no edges.
 class MeshTopology {
  public:
+  /// @throws InvalidInput when a triangle names a vertex that the mesh does not have.
   explicit MeshTopology(const Mesh& mesh);
 
   /// The neighbour of `triangle` across its edge k in 0..2; kNoIndex on the boundary and at non-manifold edges.
@@ -38,6 +40,9 @@ class MeshTopology {
   }
 
  private:
+  void pairEdges(const Mesh& mesh);
+  void collectIncidentTriangles(const Mesh& mesh);
+
   std::vector<std::uint32_t> neighbours_;
   std::vector<BoundaryEdge> boundaryEdges_;
   std::vector<std::uint8_t> onBoundary_;

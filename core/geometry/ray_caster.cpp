@@ -3,8 +3,10 @@
 #include <embree3/rtcore.h>
 #include <xmmintrin.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <new>
 #include <string>
 
 #include "base/errors.h"
@@ -28,6 +30,31 @@ class FlushDenormals {
  private:
   unsigned saved_;
 };
+
+struct Release {
+  void operator()(RTCDevice device) const { rtcReleaseDevice(device); }
+  void operator()(RTCScene scene) const { rtcReleaseScene(scene); }
+  void operator()(RTCGeometry geometry) const { rtcReleaseGeometry(geometry); }
+};
+using Device = std::unique_ptr<RTCDeviceTy, Release>;
+using EmbreeScene = std::unique_ptr<RTCSceneTy, Release>;
+using Geometry = std::unique_ptr<RTCGeometryTy, Release>;
+
+void setPoint(float& x, float& y, float& z, const Vec3& p) {
+  x = static_cast<float>(p.x());
+  y = static_cast<float>(p.y());
+  z = static_cast<float>(p.z());
+}
+
+RTCRay makeRay(const Vec3& origin, const Vec3& direction, double near, double far) {
+  RTCRay ray{};
+  setPoint(ray.org_x, ray.org_y, ray.org_z, origin);
+  setPoint(ray.dir_x, ray.dir_y, ray.dir_z, direction);
+  ray.tnear = static_cast<float>(near);
+  ray.tfar = static_cast<float>(far);
+  ray.mask = 0xffffffffU;
+  return ray;
+}
 
 // Barycentric weights of the point of triangle abc nearest to p (Ericson, Real-Time Collision Detection, 5.1.5).
 Vec3 closestWeights(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
@@ -68,47 +95,46 @@ Vec3 closestWeights(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) 
 
 struct RayCaster::Scene {
   Mesh mesh;
-  RTCDevice device = nullptr;
-  RTCScene scene = nullptr;
+  Device device;
+  EmbreeScene scene;
 
   Scene(const Mesh& source, Precision precision) : mesh(source) {
     if (mesh.triangles.size() > 0x7fffffffULL / 3 || mesh.vertices.size() > 0x7fffffffULL)
-      throw InvalidInput("mesh of " + std::to_string(mesh.triangles.size()) + " triangles is too large to trace rays in");
-    for (const Triangle& t : mesh.triangles)
-      for (const std::uint32_t v : t)
-        if (v >= mesh.vertices.size())
-          throw InvalidInput("triangle names vertex " + std::to_string(v) + " of a mesh with " +
-                             std::to_string(mesh.vertices.size()) + " vertices");
+      throw InvalidInput("mesh of " + std::to_string(mesh.triangles.size()) +
+                         " triangles is too large to trace rays in");
+    validate(mesh);
     // One build thread: the tree, and with it what a ray that grazes an edge meets, must not depend on the machine.
-    device = rtcNewDevice("threads=1,set_affinity=0");
-    scene = rtcNewScene(device);
-    if (precision == Precision::Robust) rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
+    device.reset(rtcNewDevice("threads=1,set_affinity=0"));
+    scene.reset(rtcNewScene(device.get()));
+    if (precision == Precision::Robust) rtcSetSceneFlags(scene.get(), RTC_SCENE_FLAG_ROBUST);
     if (!mesh.triangles.empty()) attachTriangles();
-    rtcCommitScene(scene);
+    rtcCommitScene(scene.get());
   }
-  ~Scene() {
-    rtcReleaseScene(scene);
-    rtcReleaseDevice(device);
+
+  // How far Embree's single precision may move a point that is as far out as p [mm].
+  [[nodiscard]] double rounding(const Vec3& p) const {
+    return 1e-6 * std::max(largestCoordinate_, p.cwiseAbs().maxCoeff());
   }
-  Scene(const Scene&) = delete;
-  Scene& operator=(const Scene&) = delete;
 
  private:
   void attachTriangles() {
-    const RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
-    auto* positions = static_cast<float*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0,
+    const Geometry geometry(rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_TRIANGLE));
+    auto* positions = static_cast<float*>(rtcSetNewGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_VERTEX, 0,
                                                                   RTC_FORMAT_FLOAT3, 12, mesh.vertices.size()));
-    auto* indices = static_cast<unsigned*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
-                                                                   12, mesh.triangles.size()));
+    auto* indices = static_cast<unsigned*>(
+        rtcSetNewGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 12, mesh.triangles.size()));
     if (positions == nullptr || indices == nullptr) throw std::bad_alloc();
-    for (std::size_t i = 0; i < mesh.vertices.size(); ++i)
-      for (int k = 0; k < 3; ++k) positions[3 * i + k] = static_cast<float>(mesh.vertices[i][k]);
+    for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
+      setPoint(positions[3 * i], positions[3 * i + 1], positions[3 * i + 2], mesh.vertices[i]);
+      largestCoordinate_ = std::max(largestCoordinate_, mesh.vertices[i].cwiseAbs().maxCoeff());
+    }
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
-      for (int k = 0; k < 3; ++k) indices[3 * i + k] = mesh.triangles[i][k];
-    rtcCommitGeometry(geometry);
-    rtcAttachGeometry(scene, geometry);
-    rtcReleaseGeometry(geometry);
+      std::copy(mesh.triangles[i].begin(), mesh.triangles[i].end(), indices + 3 * i);
+    rtcCommitGeometry(geometry.get());
+    rtcAttachGeometry(scene.get(), geometry.get());
   }
+
+  double largestCoordinate_ = 0.0;
 };
 
 RayCaster::RayCaster(const Mesh& mesh, Precision precision) : scene_(std::make_unique<Scene>(mesh, precision)) {}
@@ -119,19 +145,11 @@ RayCaster& RayCaster::operator=(RayCaster&&) noexcept = default;
 std::optional<RayHit> RayCaster::intersect(const Vec3& origin, const Vec3& direction, double near, double far) const {
   const FlushDenormals mode;
   RTCRayHit query{};
-  query.ray.org_x = static_cast<float>(origin.x());
-  query.ray.org_y = static_cast<float>(origin.y());
-  query.ray.org_z = static_cast<float>(origin.z());
-  query.ray.dir_x = static_cast<float>(direction.x());
-  query.ray.dir_y = static_cast<float>(direction.y());
-  query.ray.dir_z = static_cast<float>(direction.z());
-  query.ray.tnear = static_cast<float>(near);
-  query.ray.tfar = static_cast<float>(far);
-  query.ray.mask = 0xffffffffU;
+  query.ray = makeRay(origin, direction, near, far);
   query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
-  rtcIntersect1(scene_->scene, &context, &query);
+  rtcIntersect1(scene_->scene.get(), &context, &query);
   if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
 
   RayHit hit;
@@ -139,7 +157,8 @@ std::optional<RayHit> RayCaster::intersect(const Vec3& origin, const Vec3& direc
   hit.normal = triangleNormal(scene_->mesh, scene_->mesh.triangles[hit.triangle]);
   // The plane in double precision is better than the single precision distance, unless the ray runs along it.
   const double slope = direction.dot(hit.normal);
-  const double exact = (scene_->mesh.vertices[scene_->mesh.triangles[hit.triangle][0]] - origin).dot(hit.normal) / slope;
+  const double exact =
+      (scene_->mesh.vertices[scene_->mesh.triangles[hit.triangle][0]] - origin).dot(hit.normal) / slope;
   const auto rough = static_cast<double>(query.ray.tfar);
   hit.distance = std::abs(slope) > 1e-3 && std::abs(exact - rough) < 1e-3 * (1.0 + rough) ? exact : rough;
   return hit;
@@ -150,19 +169,10 @@ bool RayCaster::occluded(const Vec3& from, const Vec3& to, double margin) const 
   const double length = offset.norm();
   if (length <= 2.0 * margin) return false;
   const FlushDenormals mode;
-  RTCRay ray{};
-  ray.org_x = static_cast<float>(from.x());
-  ray.org_y = static_cast<float>(from.y());
-  ray.org_z = static_cast<float>(from.z());
-  ray.dir_x = static_cast<float>(offset.x() / length);
-  ray.dir_y = static_cast<float>(offset.y() / length);
-  ray.dir_z = static_cast<float>(offset.z() / length);
-  ray.tnear = static_cast<float>(margin);
-  ray.tfar = static_cast<float>(length - margin);
-  ray.mask = 0xffffffffU;
+  RTCRay ray = makeRay(from, offset / length, margin, length - margin);
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
-  rtcOccluded1(scene_->scene, &context, &ray);
+  rtcOccluded1(scene_->scene.get(), &context, &ray);
   return ray.tfar < 0.0F;
 }
 
@@ -170,16 +180,17 @@ void RayCaster::occluded(std::span<OcclusionRay> rays) const {
   const FlushDenormals mode;
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
-  rtcOccluded1M(scene_->scene, &context, reinterpret_cast<RTCRay*>(rays.data()), static_cast<unsigned>(rays.size()),
-                sizeof(OcclusionRay));
+  rtcOccluded1M(scene_->scene.get(), &context, reinterpret_cast<RTCRay*>(rays.data()),
+                static_cast<unsigned>(rays.size()), sizeof(OcclusionRay));
 }
 
 std::optional<SurfacePoint> RayCaster::closestPoint(const Vec3& p, double radius) const {
   struct Search {
     const Mesh* mesh;
     Vec3 p;
+    double rounding;
     SurfacePoint best;
-  } search{&scene_->mesh, p, {}};
+  } search{&scene_->mesh, p, scene_->rounding(p), {}};
   search.best.distance = radius;
 
   auto visit = [](RTCPointQueryFunctionArguments* args) {
@@ -191,14 +202,15 @@ std::optional<SurfacePoint> RayCaster::closestPoint(const Vec3& p, double radius
     const double distance = (point - s.p).norm();
     if (!(distance < s.best.distance || (distance == s.best.distance && args->primID < s.best.triangle))) return false;
     s.best = {point, distance, args->primID, weights};
-    args->query->radius = static_cast<float>(distance * (1.0 + 1e-6));
+    args->query->radius = static_cast<float>(distance * (1.0 + 1e-6) + s.rounding);
     return true;
   };
-  RTCPointQuery query{static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z()), 0.0F,
-                      static_cast<float>(radius * (1.0 + 1e-6))};
+  RTCPointQuery query{};
+  setPoint(query.x, query.y, query.z, p);
+  query.radius = static_cast<float>(radius * (1.0 + 1e-6) + search.rounding);
   RTCPointQueryContext context;
   rtcInitPointQueryContext(&context);
-  rtcPointQuery(scene_->scene, &query, &context, visit, &search);
+  rtcPointQuery(scene_->scene.get(), &query, &context, visit, &search);
   if (search.best.triangle == kNoIndex) return std::nullopt;
   return search.best;
 }

@@ -17,8 +17,12 @@ using Vec6 = Eigen::Matrix<double, 6, 1>;
 using Mat6 = Eigen::Matrix<double, 6, 6>;
 
 inline constexpr double kPi = std::numbers::pi;
-[[nodiscard]] constexpr double radians(double degrees) { return degrees * kPi / 180.0; }
-[[nodiscard]] constexpr double degrees(double radians) { return radians * 180.0 / kPi; }
+[[nodiscard]] constexpr double radians(double degrees) {
+  return degrees * kPi / 180.0;
+}
+[[nodiscard]] constexpr double degrees(double radians) {
+  return radians * 180.0 / kPi;
+}
 
 /// The pose exp(x): rotation by |x.head<3>()| about its direction, then translation by x.tail<3>().
 [[nodiscard]] inline Pose smallMotion(const Vec6& x) {

@@ -3,80 +3,40 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
-#include <nlohmann/json.hpp>
-#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "base/errors.h"
+#include "scanner/number_table.h"
 #include "scanner/profile_reader.h"
+#include "scanner/profile_workspace.h"
 #include "scanner/ray_patterns.h"
 
 namespace vantage {
 namespace {
 
 // No profile needs more: larger files are something else.
-constexpr std::uintmax_t kMaxProfileBytes = 16ULL << 20;
-constexpr std::uintmax_t kMaxTableBytes = 1ULL << 30;
+constexpr std::size_t kMaxProfileBytes = 16ULL << 20;
+constexpr std::size_t kMaxTableBytes = 1ULL << 30;
 constexpr std::size_t kMaxRays = 16'000'000;
-constexpr std::size_t kMaxPositions = 100'000;
 constexpr std::size_t kMaxReceivers = 16;
 
-std::string readWholeFile(const std::string& path, std::uintmax_t limit) {
+// Reads piece by piece: what a name leads to may have no size, or no end.
+std::string readWholeFile(const std::string& path, std::size_t limit) {
   std::error_code error;
   if (std::filesystem::is_directory(path, error)) throw IoError(path, "is a folder, expected a file");
   std::ifstream in(path, std::ios::binary);
   if (!in) throw IoError(path, "cannot be opened for reading");
-  const std::uintmax_t size = std::filesystem::file_size(path, error);
-  if (!error && size > limit)
-    throw IoError(path, "has " + std::to_string(size) + " bytes, more than the " + std::to_string(limit) + " allowed");
-  std::ostringstream text;
-  text << in.rdbuf();
-  return std::move(text).str();
-}
-
-nlohmann::json parseJson(const ProfileSource& source) {
-  try {
-    return nlohmann::json::parse(source.text);
-  } catch (const nlohmann::json::exception& e) {
-    std::string what = e.what();
-    if (const auto at = what.find("] "); at != std::string::npos) what = what.substr(at + 2);
-    std::string clean;
-    for (const char ch : what) clean += static_cast<unsigned char>(ch) < 0x20 || static_cast<unsigned char>(ch) > 0x7e ? '?' : ch;
-    throw InvalidInput(source.path + ": is not a JSON profile: " + clean);
-  }
-}
-
-const std::string& attachment(const ProfileSource& source, const std::string& name) {
-  const auto it = source.attachments.find(name);
-  if (it == source.attachments.end()) throw IoError(source.path, "names the file " + name + ", which was not read");
-  return it->second;
-}
-
-// Rows of comma or space separated numbers; blank lines and lines that begin with # or a letter (a header) are skipped.
-std::vector<std::vector<double>> parseTable(const std::string& text, const std::string& file) {
-  std::vector<std::vector<double>> rows;
-  std::istringstream in(text);
-  std::string line;
-  for (int number = 1; std::getline(in, line); ++number) {
-    for (char& ch : line)
-      if (ch == ',' || ch == ';' || ch == '\t' || ch == '\r') ch = ' ';
-    const auto start = line.find_first_not_of(' ');
-    if (start == std::string::npos || line[start] == '#') continue;
-    if (rows.empty() && std::isalpha(static_cast<unsigned char>(line[start])) != 0 && line.compare(start, 3, "nan") != 0)
-      continue;
-    std::vector<double> row;
-    std::istringstream fields(line);
-    std::string field;
-    while (fields >> field) {
-      char* end = nullptr;
-      const double value = std::strtod(field.c_str(), &end);
-      if (end == field.c_str() || *end != 0 || !std::isfinite(value))
-        throw InvalidInput(file + ": line " + std::to_string(number) + " has '" + field.substr(0, 40) +
-                           "', expected a finite number");
-      row.push_back(value);
-    }
-    rows.push_back(std::move(row));
-  }
-  return rows;
+  std::string text;
+  std::vector<char> piece(1 << 16);
+  do {
+    in.read(piece.data(), static_cast<std::streamsize>(piece.size()));
+    text.append(piece.data(), static_cast<std::size_t>(in.gcount()));
+    if (text.size() > limit) throw IoError(path, "has more than the " + std::to_string(limit) + " bytes allowed");
+  } while (in);
+  if (in.bad()) throw IoError(path, "cannot be read");
+  return text;
 }
 
 ReceiverOffsets readReceivers(JsonObjectReader& scanner) {
@@ -116,29 +76,34 @@ RayGrid readPinhole(JsonObjectReader& scanner) {
 }
 
 RayGrid readRayTable(JsonObjectReader& scanner, const ProfileSource& source) {
-  const std::string file = scanner.string("file");
+  const std::string file = scanner.fileName("file");
   const int rows = scanner.integer("rows", 2, 100000);
   const int columns = scanner.integer("columns", 2, 100000);
   checkRayCount(scanner, "columns", rows, columns);
-  const auto table = parseTable(attachment(source, file), file);
   const std::size_t count = static_cast<std::size_t>(rows) * static_cast<std::size_t>(columns);
-  if (table.size() != count)
-    throw InvalidInput(file + ": has " + std::to_string(table.size()) + " rays, expected rows x columns = " +
-                       std::to_string(count));
+  const NumberTable table = parseNumberTable(attachment(source, file), file, count, 6 + 3 * kMaxReceivers);
+  if (table.rows() != count)
+    throw InvalidInput(file + ": has " + std::to_string(table.rows()) +
+                       " rays, expected rows x columns = " + std::to_string(count));
+  if (table.columns < 6 || table.columns % 3 != 0)
+    throw InvalidInput(file + ": has " + std::to_string(table.columns) +
+                       " numbers for every ray, expected ox,oy,oz,dx,dy,dz and three for every receiver");
   std::vector<RangingRay> rays;
   std::vector<Vec3> receivers;
-  for (std::size_t i = 0; i < table.size(); ++i) {
-    const auto& row = table[i];
-    if (row.size() < 6 || row.size() % 3 != 0 || row.size() != table[0].size() || row.size() > 6 + 3 * kMaxReceivers)
-      throw InvalidInput(file + ": ray " + std::to_string(i) + " has " + std::to_string(row.size()) +
-                         " numbers, expected ox,oy,oz,dx,dy,dz and three for every receiver");
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto row = table.row(i);
+    auto ray = [&] { return file + ": ray " + std::to_string(i); };
     const Vec3 direction(row[3], row[4], row[5]);
-    if (!(direction.norm() > 1e-9))
-      throw InvalidInput(file + ": ray " + std::to_string(i) + " has the direction 0, expected a vector with a length");
+    if (!(direction.norm() > 1e-9 && direction.norm() < 1e9))
+      throw InvalidInput(ray() + " has a direction of length " + std::to_string(direction.norm()) +
+                         ", expected a vector with a length, best 1");
+    for (std::size_t k = 0; k < row.size(); ++k)
+      if ((k < 3 || k > 5) && std::abs(row[k]) > kMaxCoordinate)
+        throw InvalidInput(ray() + " has the coordinate " + std::to_string(row[k]) + ", expected one within 100 m");
     rays.push_back({Vec3(row[0], row[1], row[2]), direction.normalized()});
     for (std::size_t k = 6; k < row.size(); k += 3) receivers.emplace_back(row[k], row[k + 1], row[k + 2]);
   }
-  return {rows, columns, std::move(rays), std::move(receivers), static_cast<int>(table[0].size() / 3) - 2};
+  return {rows, columns, std::move(rays), std::move(receivers), static_cast<int>(table.columns / 3) - 2};
 }
 
 RayGrid readRays(JsonObjectReader& scanner, const std::string& type, const ProfileSource& source) {
@@ -175,72 +140,6 @@ void readScanner(JsonObjectReader scanner, const ProfileSource& source, ScannerP
   scanner.finish();
 }
 
-Pose checkedPose(const std::vector<double>& m, const std::string& what) {
-  if (m.size() != 12 && m.size() != 16)
-    throw InvalidInput(what + " has " + std::to_string(m.size()) + " numbers, expected the 12 or 16 of a matrix, row by row");
-  Eigen::Matrix4d matrix = Eigen::Matrix4d::Identity();
-  for (std::size_t k = 0; k < m.size(); ++k)
-    matrix(static_cast<Eigen::Index>(k / 4), static_cast<Eigen::Index>(k % 4)) = m[k];
-  Pose pose(matrix);
-  const Eigen::Matrix3d r = pose.linear();
-  if (!matrix.allFinite() || !(r * r.transpose()).isIdentity(1e-4) || r.determinant() < 0.0 ||
-      !matrix.row(3).isApprox(Eigen::RowVector4d(0, 0, 0, 1)))
-    throw InvalidInput(what + " is not a rigid motion, expected a rotation and a translation");
-  pose.linear() = Eigen::Quaterniond(r).normalized().toRotationMatrix();
-  return pose;
-}
-
-Workspace readPoses(JsonObjectReader& reader, const ProfileSource& source) {
-  Workspace workspace;
-  if (reader.has("file")) {
-    const std::string file = reader.string("file");
-    const auto table = parseTable(attachment(source, file), file);
-    for (std::size_t i = 0; i < table.size(); ++i)
-      workspace.poses.push_back(checkedPose(table[i], file + ": pose " + std::to_string(i)));
-  } else {
-    const nlohmann::json& list = reader.required("matrices", "a list of 4 x 4 matrices, or a file that holds them");
-    if (!list.is_array()) reader.fail("matrices", "a list of 4 x 4 matrices");
-    for (std::size_t i = 0; i < list.size(); ++i) {
-      std::vector<double> numbers;
-      const auto flat = list[i].flatten();
-      for (const auto& v : flat) {
-        if (!v.is_number()) reader.fail("matrices", "matrices of numbers, row by row");
-        numbers.push_back(v.get<double>());
-      }
-      workspace.poses.push_back(checkedPose(numbers, source.path + ": /workspace/matrices/" + std::to_string(i)));
-    }
-  }
-  if (workspace.poses.empty() || workspace.poses.size() > kMaxPositions)
-    throw InvalidInput(source.path + ": /workspace has " + std::to_string(workspace.poses.size()) +
-                       " poses, expected 1 to " + std::to_string(kMaxPositions));
-  return workspace;
-}
-
-Workspace readWorkspace(JsonObjectReader reader, const ProfileSource& source) {
-  const std::string type = reader.string("type");
-  Workspace workspace;
-  if (type == "turntable") {
-    workspace = turntable(reader.integer("steps", 1, 36000));
-  } else if (type == "turntable_tilt") {
-    const int steps = reader.integer("steps", 1, 36000);
-    std::vector<double> tilts;
-    for (const double tilt : reader.numbers("tilts_deg", 1, 180)) {
-      if (std::abs(tilt) > 90.0) reader.fail("tilts_deg", "angles from -90 to 90");
-      tilts.push_back(radians(tilt));
-    }
-    if (static_cast<std::size_t>(steps) * tilts.size() > kMaxPositions)
-      reader.fail("steps", "at most " + std::to_string(kMaxPositions) + " positions in all");
-    const Vec3 centre = reader.has("tilt_center") ? reader.vector("tilt_center") : Vec3(0, 0, 150);
-    workspace = turntableWithTilt(steps, tilts, centre);
-  } else if (type == "poses") {
-    workspace = readPoses(reader, source);
-  } else {
-    reader.fail("type", "one of turntable, turntable_tilt, poses");
-  }
-  reader.finish();
-  return workspace;
-}
-
 PositionalSpaceSize readPositionalSpace(JsonObjectReader reader) {
   PositionalSpaceSize size;
   const std::string surface = reader.string("surface");
@@ -262,14 +161,13 @@ ProfileSource readProfileSource(const std::string& path) {
   ProfileSource source;
   source.path = path;
   source.text = readWholeFile(path, kMaxProfileBytes);
-  const nlohmann::json document = parseJson(source);
-  if (!document.is_object()) return source;
+  const nlohmann::json document = parseJson(source.text, path);
+  JsonObjectReader reader(document, path, "");
   for (const char* part : {"scanner", "workspace"}) {
-    const auto object = document.find(part);
-    if (object == document.end() || !object->is_object()) continue;
-    const auto file = object->find("file");
-    if (file == object->end() || !file->is_string()) continue;
-    const auto name = file->get<std::string>();
+    if (!reader.has(part)) continue;
+    JsonObjectReader object = reader.object(part);
+    if (!object.has("file")) continue;
+    const std::string name = object.fileName("file");
     const std::filesystem::path beside = std::filesystem::path(path).parent_path() / name;
     source.attachments[name] = readWholeFile(beside.string(), kMaxTableBytes);
   }
@@ -277,7 +175,7 @@ ProfileSource readProfileSource(const std::string& path) {
 }
 
 ScannerProfile parseProfile(const ProfileSource& source) {
-  const nlohmann::json document = parseJson(source);
+  const nlohmann::json document = parseJson(source.text, source.path);
   JsonObjectReader reader(document, source.path, "");
   ScannerProfile profile;
   profile.name = reader.string("name");

@@ -42,8 +42,8 @@ struct ScannerProfile {
   std::string type;                     ///< as in the file: "rotating_stripe", ...
   std::shared_ptr<const RayGrid> rays;  ///< the scanner, at its identity pose
   double breakdownAngle = radians(60.0);
-  double minRange = 0.0;    ///< [mm]
-  double maxRange = 1e9;    ///< [mm]
+  double minRange = 0.0;  ///< [mm]
+  double maxRange = 1e9;  ///< [mm]
   RangeNoise noise;
   Workspace workspace;
   ViewingVolume viewingVolume;
@@ -59,7 +59,8 @@ struct ProfileSource {
 };
 
 /// Reads a profile file and the files it names (resolved relative to it).
-/// @throws IoError when one cannot be read or is larger than a profile can be.
+/// @throws IoError when one cannot be read or is larger than a profile can be; InvalidInput when the profile is so far
+/// from one that the names cannot be found.
 [[nodiscard]] ProfileSource readProfileSource(const std::string& path);
 
 /// Checks and builds a profile. Unknown fields are errors.

@@ -9,7 +9,7 @@
 namespace vantage {
 
 std::size_t RangeImage::sampleCount() const {
-  return static_cast<std::size_t>(std::count_if(range.begin(), range.end(), [](float r) { return r == r; }));
+  return static_cast<std::size_t>(std::count_if(range.begin(), range.end(), [](float r) { return !std::isnan(r); }));
 }
 
 void validate(const RangeImage& image) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cmath>
+#include <cstddef>
 #include <limits>
 #include <memory>
 #include <vector>
@@ -13,9 +15,9 @@ struct RangeImage {
   std::shared_ptr<const RayGrid> rays;  ///< scanner coordinates
   std::vector<float> range;             ///< rays->size() distances along the rays [mm]; NaN where nothing was measured
   Pose T_object_scanner = Pose::Identity();  ///< nominal until registered
-  int position = -1;                    ///< index into the workspace; -1 when unknown
+  int position = -1;                         ///< index into the workspace; -1 when unknown
 
-  [[nodiscard]] bool valid(std::size_t i) const { return range[i] == range[i]; }
+  [[nodiscard]] bool valid(std::size_t i) const { return !std::isnan(range[i]); }
 
   /// The sample in scanner coordinates. @pre valid(i)
   [[nodiscard]] Vec3 point(std::size_t i) const {

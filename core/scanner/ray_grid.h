@@ -1,13 +1,12 @@
 #pragma once
 
-#include <cstdint>
-#include <limits>
-#include <memory>
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <vector>
 
 #include "geometry/vectors.h"
+#include "scanner/ray_bounds.h"
 
 namespace vantage {
 
@@ -44,7 +43,8 @@ class RayGrid {
 
   /// Positions of the receivers that watch ray i; empty without triangulation.
   [[nodiscard]] std::span<const Vec3> receivers(std::size_t i) const {
-    return {receivers_.data() + i * static_cast<std::size_t>(receiversPerRay_), static_cast<std::size_t>(receiversPerRay_)};
+    return {receivers_.data() + i * static_cast<std::size_t>(receiversPerRay_),
+            static_cast<std::size_t>(receiversPerRay_)};
   }
   [[nodiscard]] bool triangulates() const { return receiversPerRay_ > 0; }
 
@@ -64,13 +64,12 @@ class RayGrid {
   [[nodiscard]] double spacingAt(const Vec3& p, const GridPosition& position) const;
 
  private:
-  [[nodiscard]] std::optional<GridPosition> descend(const Vec3& p, GridPosition start) const;
-
   int rows_;
   int columns_;
   int receiversPerRay_;
   std::vector<RangingRay> rays_;
   std::vector<Vec3> receivers_;
+  std::vector<HalfSpace> bounds_;
 };
 
 }  // namespace vantage

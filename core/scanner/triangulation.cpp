@@ -9,6 +9,11 @@
 namespace vantage {
 namespace {
 
+// Confidence of vertices whose normal noise has tilted away from the scanner.
+constexpr double kMinConfidence = 1e-3;
+
+using GridTriangle = std::array<std::size_t, 3>;  // indices of samples
+
 // Decides which grid triangles are surface.
 class SurfaceTest {
  public:
@@ -17,59 +22,67 @@ class SurfaceTest {
         maxLengthRatio_(options.discontinuityFactor / std::cos(options.breakdownAngle)),
         minCosine_(std::cos(std::min(options.breakdownAngle + options.angleSlack, radians(89.0)))) {}
 
-  // Distance of two neighbouring rays where the nearer of their samples lies, across the rays.
+  // Distance of two neighbouring rays where the nearer of their samples lies, across the first.
   [[nodiscard]] double raySpacing(std::size_t a, std::size_t b) const {
-    const double depth = std::min(image_.range[a], image_.range[b]);
-    const RangingRay& ra = image_.rays->ray(a);
-    const RangingRay& rb = image_.rays->ray(b);
-    const Vec3 offset = (rb.origin - ra.origin) + depth * (rb.direction - ra.direction);
-    return (offset - offset.dot(ra.direction) * ra.direction).norm();
+    const auto depth = static_cast<double>(std::min(image_.range[a], image_.range[b]));
+    const RangingRay& first = image_.rays->ray(std::min(a, b));
+    const RangingRay& second = image_.rays->ray(std::max(a, b));
+    const Vec3 offset = (second.origin - first.origin) + depth * (second.direction - first.direction);
+    return (offset - offset.dot(first.direction) * first.direction).norm();
   }
 
   [[nodiscard]] bool continuous(std::size_t a, std::size_t b) const {
     return (image_.point(a) - image_.point(b)).norm() <= maxLengthRatio_ * raySpacing(a, b);
   }
 
-  // Counter-clockwise seen from the scanner and not too steep.
-  [[nodiscard]] bool facing(const std::array<std::size_t, 3>& t, bool flip) const {
+  // All three samples are there, without a jump between them, and the triangle does not lean too far from its rays. Its
+  // corners turn counter-clockwise seen from the scanner.
+  [[nodiscard]] bool isSurface(const GridTriangle& t) const {
+    for (const std::size_t i : t)
+      if (!image_.valid(i)) return false;
+    if (!continuous(t[0], t[1]) || !continuous(t[1], t[2]) || !continuous(t[2], t[0])) return false;
     const Vec3 a = image_.point(t[0]);
-    Vec3 n = (image_.point(t[1]) - a).cross(image_.point(t[2]) - a);
-    if (flip) n = -n;
-    const double length = n.norm();
-    if (!(length > 0.0)) return false;
-    const Vec3 ray = (image_.rays->ray(t[0]).direction + image_.rays->ray(t[1]).direction + image_.rays->ray(t[2]).direction).normalized();
-    return -n.dot(ray) >= minCosine_ * length;
+    const Vec3 n = (image_.point(t[1]) - a).cross(image_.point(t[2]) - a);
+    const Vec3 rays = direction(t[0]) + direction(t[1]) + direction(t[2]);
+    return n.norm() > 0.0 && -n.dot(rays) >= minCosine_ * n.norm() * rays.norm();
   }
 
  private:
+  [[nodiscard]] const Vec3& direction(std::size_t i) const { return image_.rays->ray(i).direction; }
+
   const RangeImage& image_;
   double maxLengthRatio_;
   double minCosine_;
 };
 
-// Whether row, column order turns clockwise seen from the scanner.
-bool gridIsMirrored(const RayGrid& rays) {
-  const int r = rays.rows() / 2 - 1 + (rays.rows() < 2);
-  const int c = rays.columns() / 2 - 1 + (rays.columns() < 2);
-  const RangingRay& a = rays.ray(rays.index(r, c));
-  const RangingRay& b = rays.ray(rays.index(r, c + 1));
-  const RangingRay& d = rays.ray(rays.index(r + 1, c));
-  // A depth at which neighbouring rays are apart even when they share their origin.
-  const double depth = 1e3;
-  const Vec3 alongColumn = (b.origin - a.origin) + depth * (b.direction - a.direction);
-  const Vec3 alongRow = (d.origin - a.origin) + depth * (d.direction - a.direction);
-  return alongColumn.cross(alongRow).dot(a.direction) > 0.0;
+// Whether going along a row and then down a column turns clockwise seen from the scanner, where its samples are.
+bool gridIsMirrored(const RangeImage& image) {
+  const RayGrid& rays = *image.rays;
+  double turn = 0.0;
+  for (int r = 0; r + 1 < rays.rows(); ++r) {
+    for (int c = 0; c + 1 < rays.columns(); ++c) {
+      const std::size_t i = rays.index(r, c);
+      if (!image.valid(i)) continue;
+      const auto depth = static_cast<double>(image.range[i]);
+      auto motionTo = [&](std::size_t j) {
+        const RangingRay& from = rays.ray(i);
+        const RangingRay& to = rays.ray(j);
+        return Vec3((to.origin - from.origin) + depth * (to.direction - from.direction));
+      };
+      turn += motionTo(rays.index(r, c + 1)).cross(motionTo(rays.index(r + 1, c))).dot(rays.ray(i).direction);
+    }
+  }
+  return turn > 0.0;
 }
 
-std::vector<std::array<std::size_t, 3>> gridTriangles(const RangeImage& image, const SurfaceTest& surface, bool mirrored) {
+// Cuts every square of the grid along the shorter of its diagonals, or the only one that has both its samples.
+std::vector<GridTriangle> gridTriangles(const RangeImage& image, const SurfaceTest& surface) {
   const RayGrid& rays = *image.rays;
-  std::vector<std::array<std::size_t, 3>> triangles;
+  const bool mirrored = gridIsMirrored(image);
+  std::vector<GridTriangle> triangles;
   auto add = [&](std::size_t a, std::size_t b, std::size_t c) {
-    if (!image.valid(a) || !image.valid(b) || !image.valid(c)) return;
-    if (!surface.continuous(a, b) || !surface.continuous(b, c) || !surface.continuous(c, a)) return;
-    if (!surface.facing({a, b, c}, mirrored)) return;
-    if (mirrored) std::swap(b, c);
-    triangles.push_back({a, b, c});
+    const GridTriangle t = mirrored ? GridTriangle{a, c, b} : GridTriangle{a, b, c};
+    if (surface.isSurface(t)) triangles.push_back(t);
   };
   for (int r = 0; r + 1 < rays.rows(); ++r) {
     for (int c = 0; c + 1 < rays.columns(); ++c) {
@@ -80,9 +93,7 @@ std::vector<std::array<std::size_t, 3>> gridTriangles(const RangeImage& image, c
       const bool ae = image.valid(a) && image.valid(e);
       const bool bd = image.valid(b) && image.valid(d);
       if (!ae && !bd) continue;
-      const bool cutAe =
-          ae && (!bd || (image.point(a) - image.point(e)).norm() <= (image.point(b) - image.point(d)).norm());
-      if (cutAe) {
+      if (ae && (!bd || (image.point(a) - image.point(e)).norm() <= (image.point(b) - image.point(d)).norm())) {
         add(a, b, e);
         add(a, e, d);
       } else {
@@ -94,6 +105,7 @@ std::vector<std::array<std::size_t, 3>> gridTriangles(const RangeImage& image, c
   return triangles;
 }
 
+// Median distance between neighbouring rays at their samples; 0 when no two neighbours belong together.
 double medianSpacing(const RangeImage& image, const SurfaceTest& surface) {
   std::vector<double> lengths;
   const RayGrid& rays = *image.rays;
@@ -116,11 +128,11 @@ double medianSpacing(const RangeImage& image, const SurfaceTest& surface) {
 ViewMesh triangulate(const RangeImage& image, const TriangulationOptions& options) {
   validate(image);
   const SurfaceTest surface(image, options);
-  const auto triangles = gridTriangles(image, surface, gridIsMirrored(*image.rays));
+  const std::vector<GridTriangle> triangles = gridTriangles(image, surface);
 
   ViewMesh view;
   view.vertexOfSample.assign(image.rays->size(), kNoIndex);
-  for (const auto& t : triangles)
+  for (const GridTriangle& t : triangles)
     for (const std::size_t i : t) view.vertexOfSample[i] = 0;
   for (std::size_t i = 0; i < view.vertexOfSample.size(); ++i) {
     if (view.vertexOfSample[i] == kNoIndex) continue;
@@ -129,13 +141,15 @@ ViewMesh triangulate(const RangeImage& image, const TriangulationOptions& option
     view.mesh.vertices.push_back(image.point(i));
   }
   view.mesh.triangles.reserve(triangles.size());
-  for (const auto& t : triangles)
+  for (const GridTriangle& t : triangles)
     view.mesh.triangles.push_back({view.vertexOfSample[t[0]], view.vertexOfSample[t[1]], view.vertexOfSample[t[2]]});
 
   view.normals = computeVertexNormals(view.mesh);
   view.confidence.resize(view.normals.size());
-  for (std::size_t v = 0; v < view.normals.size(); ++v)
-    view.confidence[v] = static_cast<float>(std::clamp(-view.normals[v].dot(image.rays->ray(view.sample[v]).direction), 1e-3, 1.0));
+  for (std::size_t v = 0; v < view.normals.size(); ++v) {
+    const double cosine = -view.normals[v].dot(image.rays->ray(view.sample[v]).direction);
+    view.confidence[v] = static_cast<float>(std::clamp(cosine, kMinConfidence, 1.0));
+  }
   view.onBoundary = MeshTopology(view.mesh).onBoundary();
   view.spacing = medianSpacing(image, surface);
   return view;

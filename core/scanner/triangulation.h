@@ -22,16 +22,16 @@ struct TriangulationOptions {
 /// A range image as a mesh, in scanner coordinates, and what every vertex came from.
 struct ViewMesh {
   Mesh mesh;
-  std::vector<std::uint32_t> sample;        ///< per vertex: index into the ray grid
-  std::vector<std::uint32_t> vertexOfSample;///< per ray: vertex, or kNoIndex where no triangle uses the sample
-  std::vector<Vec3> normals;                ///< per vertex, unit, toward the scanner
-  std::vector<float> confidence;            ///< per vertex: cos of the angle between normal and ray, in (0, 1]
-  std::vector<std::uint8_t> onBoundary;     ///< per vertex: 1 on the mesh's boundary
-  double spacing = 0.0;                     ///< median distance between neighbouring samples across the ray [mm]
+  std::vector<std::uint32_t> sample;          ///< per vertex: index into the ray grid
+  std::vector<std::uint32_t> vertexOfSample;  ///< per ray: vertex, or kNoIndex where no triangle uses the sample
+  std::vector<Vec3> normals;                  ///< per vertex, unit, toward the scanner
+  std::vector<float> confidence;              ///< per vertex: cos of the angle between normal and ray, in (0, 1]
+  std::vector<std::uint8_t> onBoundary;       ///< per vertex: 1 on the mesh's boundary
+  double spacing = 0.0;                       ///< median distance between neighbouring samples across the ray [mm]
 };
 
 /// Turns grid neighbours into triangles unless an edge is a depth discontinuity or the triangle is too steep.
-/// The result is manifold and oriented toward the scanner.
+/// No edge has more than two triangles; all are oriented toward the scanner.
 /// @throws InvalidInput for a range image that is not one.
 [[nodiscard]] ViewMesh triangulate(const RangeImage& image, const TriangulationOptions& options);
 

@@ -1,0 +1,11 @@
+#pragma once
+
+#include <string>
+
+namespace vantage {
+
+/// Where computed images of scanners are kept between runs ($XDG_CACHE_HOME/vantage or ~/.cache/vantage); empty when the
+/// machine names no such place.
+[[nodiscard]] std::string cacheDirectory();
+
+}  // namespace vantage

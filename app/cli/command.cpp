@@ -1,0 +1,45 @@
+#include "cli/command.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <thread>
+#include <utility>
+
+namespace vantage {
+namespace {
+
+constexpr int kMaxThreads = 256;
+
+int machineThreads() {
+  return std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, kMaxThreads);
+}
+
+}  // namespace
+
+CommandContext::CommandContext(std::stop_token stop)
+    : stop_(std::move(stop)), bar_(ProgressBar::terminal()), threads_(machineThreads()) {}
+
+void CommandContext::addCommonOptions(CLI::App& command) {
+  command.add_flag("--json", json_, "Print the result on stdout as one JSON object");
+  command.add_option("--threads", threads_, "Threads to use; results never depend on it")
+      ->check(CLI::Range(1, kMaxThreads))
+      ->capture_default_str();
+}
+
+Progress CommandContext::progress() {
+  return {[this](double fraction, std::string_view step) { bar_.show(fraction, step); }, stop_, threads_};
+}
+
+void CommandContext::result(const nlohmann::ordered_json& json, const std::string& text) {
+  bar_.clear();
+  const std::string out = json_ ? json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n" : text;
+  std::fputs(out.c_str(), stdout);
+  std::fflush(stdout);
+}
+
+void CommandContext::note(const std::string& line) {
+  bar_.clear();
+  std::fprintf(stderr, "%s\n", line.c_str());
+}
+
+}  // namespace vantage

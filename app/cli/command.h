@@ -1,0 +1,46 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "base/progress.h"
+#include "cli/progress_bar.h"
+
+namespace vantage {
+
+/// What every subcommand shares: its common options, and where progress and results go.
+class CommandContext {
+ public:
+  explicit CommandContext(std::stop_token stop);
+
+  /// Adds --json and --threads.
+  void addCommonOptions(CLI::App& command);
+
+  /// A progress that draws the bar, stops on signals and runs on the threads asked for.
+  [[nodiscard]] Progress progress();
+
+  /// Prints the result: as one JSON object with --json, otherwise `text`.
+  void result(const nlohmann::ordered_json& json, const std::string& text);
+
+  /// One line for the operator, on stderr.
+  void note(const std::string& line);
+
+  [[nodiscard]] bool json() const { return json_; }
+
+ private:
+  std::stop_token stop_;
+  ProgressBar bar_;
+  bool json_ = false;
+  int threads_;
+};
+
+/// Each adds its subcommand; the work runs in the callback and throws what goes wrong.
+void addAcquireCommand(CLI::App& app, CommandContext& context);
+void addImportCommand(CLI::App& app, CommandContext& context);
+void addPlanCommand(CLI::App& app, CommandContext& context);
+void addExportCommand(CLI::App& app, CommandContext& context);
+void addInfoCommand(CLI::App& app, CommandContext& context);
+void addEvaluateCommand(CLI::App& app, CommandContext& context);
+
+}  // namespace vantage

@@ -1,0 +1,64 @@
+#include <memory>
+
+#include "acquisition/evaluation.h"
+#include "acquisition/report.h"
+#include "acquisition/session_file.h"
+#include "base/errors.h"
+#include "cli/command.h"
+#include "cli/text.h"
+#include "io/file_kind.h"
+#include "io/mesh_reader.h"
+#include "io/placement.h"
+
+namespace vantage {
+namespace {
+
+struct EvaluateArguments {
+  std::string model;
+  std::string object;
+  std::string scanner;
+  std::string placement = "as-is";
+};
+
+Mesh loadModel(const std::string& path, const Progress& progress) {
+  if (detectFileKind(path) != FileKind::Session) return loadMesh(path, {}, progress).mesh;
+  const Session session = SessionFile::open(path).load(progress);
+  if (!session.state.model) throw InvalidInput(path + ": has no model yet, expected at least one view");
+  return session.state.model->mesh;
+}
+
+void run(const EvaluateArguments& args, CommandContext& context) {
+  const ScannerProfile profile = loadProfile(args.scanner);
+  const Mesh model = loadModel(args.model, context.progress().part(0.0, 0.1, "read model"));
+  Mesh object = loadMesh(args.object, {}, context.progress().part(0.1, 0.2, "read object")).mesh;
+  const Placement placement = args.placement == "fit" ? Placement::Fit : Placement::AsIs;
+  object = placed(object, computePlacement(object, placement, profile.viewingVolume));
+  const Evaluation e = evaluate(model, object, profile, {}, context.progress().part(0.2, 1.0));
+  const auto counts = modelJson(model);
+  context.result({{"scannable_share", e.scannableShare},
+                  {"coverage_of_scannable", e.coverage},
+                  {"rms_mm", e.rms},
+                  {"p99_mm", e.percentile99},
+                  {"false_surface", e.falseSurface},
+                  {"model", counts}},
+                 "scannable: " + number(100.0 * e.scannableShare, 2) + " % of the surface\ncovered:   " +
+                     number(100.0 * e.coverage, 2) + " % of that\nRMS:       " + number(e.rms, 4) + " mm, 99 % within " +
+                     number(e.percentile99, 3) + " mm\nfalse:     " + number(100.0 * e.falseSurface, 3) +
+                     " %\nedges:     " + counts["boundary_edges"].dump() + " boundary, " +
+                     counts["non_manifold_edges"].dump() + " non-manifold\n");
+}
+
+}  // namespace
+
+void addEvaluateCommand(CLI::App& app, CommandContext& context) {
+  auto args = std::make_shared<EvaluateArguments>();
+  CLI::App* command = app.add_subcommand("evaluate", "Measure a model against the object it was scanned from");
+  command->add_option("model", args->model, "Session or mesh file")->required();
+  command->add_option("--object", args->object, "Mesh of the object")->required();
+  command->add_option("--scanner", args->scanner, "Scanner profile (JSON)")->required();
+  command->add_option("--place", args->placement, "How the object was placed")->check(CLI::IsMember({"as-is", "fit"}))->capture_default_str();
+  context.addCommonOptions(*command);
+  command->callback([args, &context] { run(*args, context); });
+}
+
+}  // namespace vantage

@@ -1,0 +1,49 @@
+#include <cstdio>
+#include <exception>
+#include <new>
+
+#include "base/errors.h"
+#include "cli/command.h"
+#include "cli/stop_signals.h"
+
+namespace {
+
+// Exit codes of the command line contract.
+constexpr int kDone = 0;
+constexpr int kFailed = 1;
+constexpr int kWrongUse = 2;
+constexpr int kCancelled = 3;
+
+int run(int argc, char** argv) {
+  const vantage::StopSignals signals;
+  vantage::CommandContext context(signals.token());
+  CLI::App app{"Vantage: a scanning workstation that decides where to scan next", "vantage-cli"};
+  app.set_version_flag("--version", "vantage-cli " VANTAGE_VERSION);
+  app.require_subcommand(1);
+  vantage::addAcquireCommand(app, context);
+  vantage::addPlanCommand(app, context);
+  vantage::addExportCommand(app, context);
+  vantage::addInfoCommand(app, context);
+  vantage::addEvaluateCommand(app, context);
+  try {
+    app.parse(argc, argv);
+    return kDone;
+  } catch (const CLI::ParseError& e) {
+    return app.exit(e) == 0 ? kDone : kWrongUse;
+  } catch (const vantage::Cancelled&) {
+    context.note("vantage-cli: cancelled");
+    return kCancelled;
+  } catch (const std::bad_alloc&) {
+    context.note("vantage-cli: not enough memory for this input");
+    return kFailed;
+  } catch (const std::exception& e) {
+    context.note(std::string("vantage-cli: ") + e.what());
+    return kFailed;
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return run(argc, argv);
+}

@@ -1,0 +1,95 @@
+#include <memory>
+#include <optional>
+
+#include "acquisition/report.h"
+#include "acquisition/session_file.h"
+#include "acquisition/steps.h"
+#include "base/errors.h"
+#include "cli/cache_directory.h"
+#include "cli/command.h"
+#include "cli/text.h"
+#include "planning/choice.h"
+#include "positional_space/scanner_images_cache.h"
+
+namespace vantage {
+namespace {
+
+struct PlanArguments {
+  std::string session;
+  bool why = false;
+  std::optional<int> position;
+};
+
+const char* outcomeName(PlanOutcome outcome) {
+  switch (outcome) {
+    case PlanOutcome::Found: return "found";
+    case PlanOutcome::Finished: return "finished";
+    case PlanOutcome::NoOverlap: return "no_overlap";
+  }
+  return "";
+}
+
+std::string scoreText(const PositionScore& s) {
+  std::string text = "position " + std::to_string(s.position) + ": void " + number(promise(s), 1) + " mm2, overlap " +
+                     number(s.overlapArea, 0) + " mm2, " + std::string(name(s.constraint));
+  if (s.constraint == Constraint::BelowThreshold || s.constraint == Constraint::OverlapShort)
+    text += ", short by " + number(s.shortBy, 1) + " mm2";
+  if (s.constraint == Constraint::PoseUncertain) text += ", short by " + number(s.shortBy, 2) + " mm";
+  if (s.poseSigma) text += "; worst " + s.weakDirection + ", " + number(*s.poseSigma, 3) + " mm";
+  return text + "\n";
+}
+
+nlohmann::ordered_json planJson(const Plan& plan, const PlanArguments& args) {
+  nlohmann::ordered_json json{{"outcome", outcomeName(plan.outcome)},
+                              {"position", plan.position},
+                              {"least_overlap_mm2", plan.leastOverlap},
+                              {"relaxations", plan.relaxations},
+                              {"termination_threshold_mm2", plan.terminationThreshold},
+                              {"angular_error_deg", degrees(plan.angularError)},
+                              {"void_patches", voidJson(plan)}};
+  if (args.why) {
+    json["scores"] = nlohmann::ordered_json::array();
+    for (const PositionScore& s : plan.scores) json["scores"].push_back(scoreJson(s));
+    json["remaining"] = remainingJson(plan);
+  }
+  if (args.position) json["asked"] = scoreJson(plan.scores[static_cast<std::size_t>(*args.position)]);
+  return json;
+}
+
+std::string planText(const Plan& plan, const PlanArguments& args) {
+  std::string text = plan.outcome == PlanOutcome::Found ? "next best view: position " + std::to_string(plan.position) + "\n"
+                                                        : std::string(outcomeName(plan.outcome)) + "\n";
+  text += "t = " + number(plan.leastOverlap, 1) + " mm2, F = " + number(plan.terminationThreshold, 1) + " mm2\n";
+  if (args.why)
+    for (const PositionScore& s : plan.scores) text += scoreText(s);
+  if (args.position) text += scoreText(plan.scores[static_cast<std::size_t>(*args.position)]);
+  return text;
+}
+
+void run(const PlanArguments& args, CommandContext& context) {
+  const Session session = SessionFile::open(args.session).load(context.progress().part(0.0, 0.2, "read session"));
+  const auto& profile = session.state.profile;
+  if (!profile) throw InvalidInput(args.session + ": holds recorded scans without a workspace, a next view needs a scanner profile");
+  if (!session.state.model) throw InvalidInput(args.session + ": has no view yet to plan from");
+  if (args.position && (*args.position < 0 || *args.position >= static_cast<int>(profile->workspace.size())))
+    throw InvalidInput("--position is " + std::to_string(*args.position) + ", the workspace has positions 0 to " +
+                       std::to_string(profile->workspace.size() - 1));
+  const ScannerImages images =
+      loadScannerImages(*profile, cacheDirectory(), context.progress().part(0.2, 0.3, "positional space of the scanner"));
+  const Plan plan = planAfter(session.state, images, stepOptionsFor(*profile, session.settings), context.progress().part(0.3, 1.0));
+  context.result(planJson(plan, args), planText(plan, args));
+}
+
+}  // namespace
+
+void addPlanCommand(CLI::App& app, CommandContext& context) {
+  auto args = std::make_shared<PlanArguments>();
+  CLI::App* command = app.add_subcommand("plan", "Find the next best view of a session and say why");
+  command->add_option("session", args->session, "Session file")->required();
+  command->add_flag("--why", args->why, "Give the score of every position and what bound it");
+  command->add_option("--position", args->position, "Explain this position");
+  context.addCommonOptions(*command);
+  command->callback([args, &context] { run(*args, context); });
+}
+
+}  // namespace vantage

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "acquisition/phase_times.h"
+#include "integration/model.h"
+#include "planning/plan.h"
+#include "registration/icp.h"
+#include "scanner/profile.h"
+#include "scanner/triangulation.h"
+
+namespace vantage {
+
+/// How the next position is chosen: by positional space, or by a baseline to compare with. Everything else is shared.
+struct Strategy {
+  enum class Kind : std::uint8_t { PositionalSpace, Uniform, Random };
+  Kind kind = Kind::PositionalSpace;
+  int uniformViews = 0;  ///< N of uniform:N
+};
+
+/// "ps", "uniform:N" or "random". @throws InvalidInput for anything else.
+[[nodiscard]] Strategy parseStrategy(std::string_view text);
+[[nodiscard]] std::string name(const Strategy& strategy);
+
+/// What a session was asked to do. Kept in the session file.
+struct AcquisitionSettings {
+  std::string object;         ///< file that the simulated scanner looks at; empty for recorded scans
+  std::string placement = "as-is";
+  std::uint64_t seed = 1;
+  bool ideal = false;
+  int firstView = 0;
+  int maxViews = 40;
+  double tolerance = 0.0;     ///< u
+  Strategy strategy;
+};
+
+/// What one scan brought.
+struct ViewRecord {
+  int position = -1;
+  std::size_t samples = 0;
+  std::size_t triangles = 0;               ///< of the scan's own mesh
+  std::optional<PositionScore> predicted;  ///< by the plan that chose it
+  RegistrationResult registration;         ///< against the model before it; of the first view trivially good
+  double newArea = 0.0;                    ///< what the model's area grew by [mm^2]
+  double overlapArea = 0.0;                ///< of the scan's area what the model had already [mm^2]
+  std::shared_ptr<const Plan> plan;        ///< made after it; none for baselines
+  PhaseTimes seconds;                      ///< for the report only
+};
+
+/// Why an acquisition ended.
+enum class Termination : std::uint8_t { Running, Finished, NoOverlap, MaxViews, RegistrationFailed, Cancelled };
+[[nodiscard]] std::string_view name(Termination termination);
+
+/// A scan whose registration failed: it is kept, but not integrated.
+struct RejectedScan {
+  std::shared_ptr<const RangeImage> image;
+  RegistrationResult registration;
+};
+
+/// Everything known at one moment of an acquisition. Steps make a new state; old ones share what did not change.
+struct AcquisitionState {
+  std::shared_ptr<const ScannerProfile> profile;
+  std::vector<View> views;
+  std::vector<ViewRecord> records;     ///< one per view
+  std::shared_ptr<const Model> model;  ///< null before the first view
+  std::vector<RejectedScan> rejected;
+  Termination termination = Termination::Running;
+};
+
+}  // namespace vantage

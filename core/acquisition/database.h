@@ -1,0 +1,75 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+struct sqlite3;
+struct sqlite3_stmt;
+
+namespace vantage {
+
+/// A prepared SQLite statement. Parameters count from 1, columns from 0.
+class Statement {
+ public:
+  Statement(sqlite3* database, std::string path, const std::string& sql);
+
+  Statement& bind(int parameter, std::int64_t value);
+  Statement& bind(int parameter, double value);
+  Statement& bind(int parameter, std::string_view text);
+  Statement& bind(int parameter, std::span<const std::byte> blob);
+
+  /// Runs to the next row. @return false when there is none. @throws IoError
+  bool step();
+  /// Runs a statement that returns no rows, and makes it ready for another run.
+  void run();
+
+  [[nodiscard]] std::int64_t integer(int column) const;
+  [[nodiscard]] double real(int column) const;
+  [[nodiscard]] std::string text(int column) const;
+  [[nodiscard]] std::vector<std::byte> blob(int column) const;
+
+ private:
+  void check(int code) const;
+
+  sqlite3* database_;
+  std::string path_;
+  std::unique_ptr<sqlite3_stmt, int (*)(sqlite3_stmt*)> statement_;
+};
+
+/// An SQLite database file (WAL, synchronous=FULL).
+class Database {
+ public:
+  enum class Mode { Create, Open };
+
+  /// Create replaces a file of that name. @throws IoError
+  Database(const std::string& path, Mode mode);
+
+  [[nodiscard]] Statement prepare(const std::string& sql);
+  void run(const std::string& sql);
+
+  /// Everything between begin and commit happens or does not happen. Without commit the destructor rolls back.
+  class Transaction {
+   public:
+    explicit Transaction(Database& database);
+    ~Transaction();
+    Transaction(const Transaction&) = delete;
+    Transaction& operator=(const Transaction&) = delete;
+    void commit();
+
+   private:
+    Database& database_;
+    bool open_ = true;
+  };
+
+  [[nodiscard]] const std::string& path() const { return path_; }
+
+ private:
+  std::string path_;
+  std::unique_ptr<sqlite3, int (*)(sqlite3*)> handle_;
+};
+
+}  // namespace vantage

@@ -1,0 +1,100 @@
+#include "acquisition/steps.h"
+
+#include <algorithm>
+
+#include "base/errors.h"
+#include "geometry/measures.h"
+#include "registration/pose_prior.h"
+#include "registration/registration_target.h"
+
+namespace vantage {
+namespace {
+
+RegistrationResult firstRegistration(const Pose& T_object_scanner) {
+  RegistrationResult result;
+  result.T_object_scanner = T_object_scanner;
+  result.verdict = Verdict::Good;
+  result.reason = "the first view defines the frame";
+  result.inlierShare = 1.0;
+  return result;
+}
+
+RegistrationResult registerWithModel(const AcquisitionState& state, const View& view, const StepOptions& options,
+                                     const Progress& progress) {
+  if (state.views.empty()) return firstRegistration(view.T_object_scanner);
+  const RegistrationTarget target(state.model->mesh, state.model->confidence);
+  return registerView(*view.mesh, *view.image->rays, view.T_object_scanner, target, options.registration, progress);
+}
+
+// Moves the views to where all of them agree best.
+void refine(std::vector<View>& views, const StepOptions& options, const Progress& progress) {
+  if (views.size() < 2) return;
+  const MultiViewResult refined = refineViews(views, options.refinement, progress);
+  for (std::size_t i = 0; i < views.size(); ++i) views[i].T_object_scanner = refined.poses[i];
+}
+
+}  // namespace
+
+StepOptions stepOptionsFor(const ScannerProfile& profile, const AcquisitionSettings& settings) {
+  StepOptions options;
+  options.triangulation.breakdownAngle = profile.breakdownAngle;
+  options.zipper.breakdownAngle = profile.breakdownAngle;
+  options.planner.tolerance = settings.tolerance;
+  options.registration.prior = turntablePrior(profile.mechanics);
+  return options;
+}
+
+Pose expectedPose(const AcquisitionState& state, const RangeImage& image) {
+  if (state.views.empty()) return image.T_object_scanner;
+  const View& last = state.views.back();
+  return last.T_object_scanner * last.image->T_object_scanner.inverse() * image.T_object_scanner;
+}
+
+AcquisitionState addScan(const AcquisitionState& state, RangeImage image, std::optional<PositionScore> predicted,
+                         const StepOptions& options, const Progress& progress) {
+  const Progress registering = progress.part(0.0, 0.5, "register");
+  registering.checkpoint(0.0);
+  View view;
+  view.mesh = std::make_shared<const ViewMesh>(triangulate(image, options.triangulation));
+  view.T_object_scanner = expectedPose(state, image);
+  view.image = std::make_shared<const RangeImage>(std::move(image));
+
+  AcquisitionState next = state;
+  if (view.mesh->mesh.empty() && state.views.empty())
+    throw InvalidInput("the first scan, from position " + std::to_string(view.image->position) +
+                       ", has no surface: is the object inside the viewing volume?");
+  RegistrationResult registration = registerWithModel(state, view, options, registering.part(0.0, 0.7));
+  if (registration.verdict == Verdict::Failed) {
+    next.rejected.push_back({view.image, std::move(registration)});
+    return next;
+  }
+  view.T_object_scanner = registration.T_object_scanner;
+  next.views.push_back(view);
+  refine(next.views, options, registering.part(0.7, 1.0));
+
+  const Progress integrating = progress.part(0.5, 1.0, "integrate");
+  const Model before = state.model ? reposed(*state.model, next.views) : Model{};
+  const auto added = static_cast<std::uint32_t>(next.views.size() - 1);
+  const Integration integration = integrateView(before, next.views, added, options.zipper, integrating.part(0.0, 0.6));
+  next.model = std::make_shared<const Model>(
+      applyConsensus(integration.model, next.views, options.consensus, integrating.part(0.6, 1.0)));
+
+  ViewRecord record;
+  record.position = view.image->position;
+  record.samples = view.image->sampleCount();
+  record.triangles = view.mesh->mesh.triangles.size();
+  record.predicted = std::move(predicted);
+  record.registration = std::move(registration);
+  record.newArea = std::max(0.0, area(integration.model.mesh) - area(before.mesh));
+  record.overlapArea = std::max(0.0, area(view.mesh->mesh) - record.newArea);
+  next.records.push_back(std::move(record));
+  return next;
+}
+
+Plan planAfter(const AcquisitionState& state, const ScannerImages& images, const StepOptions& options,
+               const Progress& progress) {
+  const int current = state.views.empty() ? -1 : state.views.back().image->position;
+  return planNextView({*state.profile, images, *state.model, state.views, current}, options.planner, progress);
+}
+
+}  // namespace vantage

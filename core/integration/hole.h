@@ -1,0 +1,19 @@
+#pragma once
+
+#include <cstddef>
+
+#include "integration/model_editor.h"
+#include "integration/grid_surface.h"
+#include "integration/zipper_options.h"
+
+namespace vantage {
+
+/// Closes small holes with triangles between the vertices around them: holes of few edges, no wider than the limit,
+/// nearly flat, and inside of what was seen. The new view decides where it looks at the hole: closed where its surface
+/// passes through, left open where it sees farther. Elsewhere a hole is closed when it lies between several views, or
+/// when it is a single triangle.
+/// @pre no bow ties
+/// @return how many holes were closed.
+std::size_t closeSmallHoles(ModelEditor& editor, const GridSurface& surface, std::uint32_t newView, const ZipperOptions& options);
+
+}  // namespace vantage

@@ -1,0 +1,138 @@
+#include "io/mesh_writer.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <charconv>
+#include <cstring>
+#include <limits>
+
+#include "base/errors.h"
+#include "io/atomic_file.h"
+#include "io/file_kind.h"
+#include "io/text_scanner.h"
+
+namespace vantage {
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "binary files are copied as they are");
+
+constexpr std::size_t kRowsPerCheckpoint = 65536;
+
+// A mesh, and the model that it belongs to if it is not a plain one.
+struct Surface {
+  const Mesh& mesh;
+  const Model* model;
+};
+
+void checkIndices(const Mesh& mesh) {
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+    for (const std::uint32_t v : mesh.triangles[t])
+      if (v >= mesh.vertices.size())
+        throw InvalidInput("triangle " + std::to_string(t) + " names vertex " + std::to_string(v) + " of " +
+                           std::to_string(mesh.vertices.size()));
+}
+
+template <typename Row>
+void forRows(std::size_t count, const Progress& progress, const Row& row) {
+  for (std::size_t begin = 0; begin < count; begin += kRowsPerCheckpoint) {
+    progress.checkpoint(static_cast<double>(begin) / static_cast<double>(count));
+    const std::size_t end = std::min(count, begin + kRowsPerCheckpoint);
+    for (std::size_t i = begin; i < end; ++i) row(i);
+  }
+}
+
+template <typename T>
+char* put(char* at, const T& value) {
+  std::memcpy(at, &value, sizeof(T));
+  return at + sizeof(T);
+}
+
+std::string plyHeader(const Surface& surface) {
+  std::string text = "ply\nformat binary_little_endian 1.0\ncomment millimetres\n";
+  text += "element vertex " + std::to_string(surface.mesh.vertices.size()) + "\n";
+  text += "property float x\nproperty float y\nproperty float z\n";
+  if (surface.model != nullptr) text += "property float confidence\n";
+  text += "element face " + std::to_string(surface.mesh.triangles.size()) + "\n";
+  text += "property list uchar int vertex_indices\n";
+  if (surface.model != nullptr) text += "property int view\n";
+  return text + "end_header\n";
+}
+
+void writePly(const Surface& surface, AtomicFile& file, const Progress& progress) {
+  file.write(plyHeader(surface));
+  const Model* model = surface.model;
+  forRows(surface.mesh.vertices.size(), progress.part(0.0, 0.5), [&](std::size_t i) {
+    const Eigen::Vector3f p = surface.mesh.vertices[i].cast<float>();
+    char* at = put(file.grow(model != nullptr ? 16 : 12), p);
+    if (model != nullptr) put(at, model->confidence[i]);
+  });
+  forRows(surface.mesh.triangles.size(), progress.part(0.5, 1.0), [&](std::size_t i) {
+    char* at = put(file.grow(model != nullptr ? 17 : 13), std::uint8_t{3});
+    at = put(at, surface.mesh.triangles[i]);
+    if (model != nullptr) put(at, model->triangleView[i]);
+  });
+}
+
+void writeStl(const Surface& surface, AtomicFile& file, const Progress& progress) {
+  std::array<char, 80> header{};
+  constexpr std::string_view kText = "binary STL, millimetres";
+  std::copy(kText.begin(), kText.end(), header.begin());
+  file.write({header.data(), header.size()});
+  const std::size_t count = surface.mesh.triangles.size();
+  if (count > std::numeric_limits<std::uint32_t>::max()) throw InvalidInput("an STL file holds at most 4294967295 triangles");
+  put(file.grow(4), static_cast<std::uint32_t>(count));
+  forRows(count, progress, [&](std::size_t i) {
+    const Triangle& t = surface.mesh.triangles[i];
+    const Eigen::Vector3f normal = triangleNormal(surface.mesh, t).cast<float>();
+    char* at = put(file.grow(50), normal);
+    for (const std::uint32_t v : t) at = put(at, Eigen::Vector3f(surface.mesh.vertices[v].cast<float>()));
+    put(at, std::uint16_t{0});
+  });
+}
+
+char* putText(char* at, std::string_view text) { return std::copy(text.begin(), text.end(), at); }
+
+void writeObj(const Surface& surface, AtomicFile& file, const Progress& progress) {
+  constexpr std::size_t kMaxLine = 128;
+  std::array<char, kMaxLine> line{};
+  char* const end = line.data() + line.size();
+  file.write("# millimetres\n");
+  forRows(surface.mesh.vertices.size(), progress.part(0.0, 0.5), [&](std::size_t i) {
+    char* at = putText(line.data(), "v");
+    for (int k = 0; k < 3; ++k) at = std::to_chars(putText(at, " "), end, static_cast<float>(surface.mesh.vertices[i][k])).ptr;
+    at = putText(at, "\n");
+    file.write({line.data(), static_cast<std::size_t>(at - line.data())});
+  });
+  forRows(surface.mesh.triangles.size(), progress.part(0.5, 1.0), [&](std::size_t i) {
+    char* at = putText(line.data(), "f");
+    for (const std::uint32_t v : surface.mesh.triangles[i]) at = std::to_chars(putText(at, " "), end, v + 1ULL).ptr;
+    at = putText(at, "\n");
+    file.write({line.data(), static_cast<std::size_t>(at - line.data())});
+  });
+}
+
+void exportSurface(const Surface& surface, const std::string& path, const Progress& progress) {
+  checkIndices(surface.mesh);
+  const std::string extension = extensionOf(path);
+  if (extension != "ply" && extension != "stl" && extension != "obj")
+    throw InvalidInput(path + ": has the extension " + inQuotes(extension) + ", expected .ply, .stl or .obj");
+  AtomicFile file(path);
+  if (extension == "ply") writePly(surface, file, progress);
+  if (extension == "stl") writeStl(surface, file, progress);
+  if (extension == "obj") writeObj(surface, file, progress);
+  file.commit();
+  progress.checkpoint(1.0);
+}
+
+}  // namespace
+
+void exportModel(const Model& model, const std::string& path, const Progress& progress) {
+  if (model.confidence.size() != model.mesh.vertices.size() || model.triangleView.size() != model.mesh.triangles.size())
+    throw InvalidInput("the model's confidences and views do not match its vertices and triangles");
+  exportSurface({model.mesh, &model}, path, progress);
+}
+
+void exportMesh(const Mesh& mesh, const std::string& path, const Progress& progress) { exportSurface({mesh, nullptr}, path, progress); }
+
+}  // namespace vantage

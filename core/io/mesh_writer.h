@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+
+#include "base/progress.h"
+#include "integration/model.h"
+
+namespace vantage {
+
+// All writers: the file appears whole or not at all, and what was there before stays when writing fails.
+// @throws InvalidInput for an unknown extension, or a mesh with an index out of range
+// @throws IoError when it cannot be written (no such folder, disk full, ...)
+// @throws Cancelled
+
+/// Writes a model in the format that the extension names: .ply (binary little endian: vertices float x y z confidence, faces
+/// uchar/int list vertex_indices and int view), .stl (binary) or .obj. Coordinates in single precision, millimetres.
+void exportModel(const Model& model, const std::string& path, const Progress& progress = {});
+
+/// Writes a mesh likewise, without confidence and view.
+void exportMesh(const Mesh& mesh, const std::string& path, const Progress& progress = {});
+
+}  // namespace vantage

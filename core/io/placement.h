@@ -1,0 +1,33 @@
+#pragma once
+
+#include "geometry/mesh.h"
+#include "scanner/profile.h"
+
+namespace vantage {
+
+/// How a mesh gets into object coordinates (mm, z up, on the table plane z = 0, near the axis).
+enum class Placement {
+  AsIs,  ///< it is there already
+  Fit,   ///< scaled and moved into the viewing volume
+};
+
+/// p' = scale * p + translation. Axes stay as they are: a mesh with another axis up is scanned lying down.
+struct PlacementTransform {
+  double scale = 1.0;
+  Vec3 translation = Vec3::Zero();  ///< [mm]
+};
+
+/// The share of the viewing volume's radius and height that a fitted object takes at most.
+inline constexpr double kFittedShare = 0.9;
+
+/// AsIs: the identity. Fit: the lowest vertex comes to stand on z = 0, the middle of the bounding box on the axis, and the object is made as
+/// large as it can be inside a cylinder of kFittedShare times the volume's radius and height.
+/// @throws InvalidInput when Fit is asked of a mesh without extent.
+[[nodiscard]] PlacementTransform computePlacement(const Mesh& mesh, Placement placement, const ViewingVolume& volume);
+
+[[nodiscard]] Mesh placed(Mesh mesh, const PlacementTransform& transform);
+
+/// Whether every vertex lies in the viewing volume, with `slack` [mm] to spare on all sides.
+[[nodiscard]] bool isInside(const Mesh& mesh, const ViewingVolume& volume, double slack = 0.5);
+
+}  // namespace vantage

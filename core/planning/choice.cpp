@@ -1,0 +1,61 @@
+#include "planning/choice.h"
+
+namespace vantage {
+namespace {
+
+// The first constraint that binds a position under the rules, or Outscored when none does.
+Constraint bind(PositionScore& score, double leastOverlap, const ChoiceOptions& options) {
+  score.shortBy = 0.0;
+  if (promise(score) <= options.terminationThreshold) {
+    score.shortBy = options.terminationThreshold - promise(score);
+    return Constraint::BelowThreshold;
+  }
+  if (score.overlapArea <= leastOverlap) {
+    score.shortBy = leastOverlap - score.overlapArea;
+    return Constraint::OverlapShort;
+  }
+  if (score.poseSigma.value_or(0.0) > options.maxPoseSigma) {
+    score.shortBy = *score.poseSigma - options.maxPoseSigma;
+    return Constraint::PoseUncertain;
+  }
+  return Constraint::Outscored;
+}
+
+// Whether a beats b: more void, then less motion, then the lower index.
+bool better(const PositionScore& a, const PositionScore& b, const Workspace& workspace, int current) {
+  if (promise(a) != promise(b)) return promise(a) > promise(b);
+  if (current >= 0) {
+    const double motionA = motionBetween(workspace, current, a.position);
+    const double motionB = motionBetween(workspace, current, b.position);
+    if (motionA != motionB) return motionA < motionB;
+  }
+  return a.position < b.position;
+}
+
+}  // namespace
+
+Choice choose(std::vector<PositionScore>& scores, const Workspace& workspace, int current,
+              const ChoiceOptions& options) {
+  Choice choice;
+  choice.leastOverlap = options.leastOverlap;
+  for (;; ++choice.relaxations, choice.leastOverlap /= 2.0) {
+    PositionScore* best = nullptr;
+    bool voidLeft = false;
+    for (PositionScore& score : scores) {
+      score.constraint = bind(score, choice.leastOverlap, options);
+      voidLeft = voidLeft || score.constraint != Constraint::BelowThreshold;
+      if (score.constraint != Constraint::Outscored) continue;
+      if (best == nullptr || better(score, *best, workspace, current)) best = &score;
+    }
+    if (best != nullptr) {
+      best->constraint = Constraint::Chosen;
+      choice.outcome = PlanOutcome::Found;
+      choice.position = best->position;
+      return choice;
+    }
+    choice.outcome = voidLeft ? PlanOutcome::NoOverlap : PlanOutcome::Finished;
+    if (!voidLeft || choice.relaxations >= options.maxRelaxations) return choice;
+  }
+}
+
+}  // namespace vantage

@@ -1,0 +1,80 @@
+#include "planning/objective.h"
+
+#include <algorithm>
+
+#include "planning/candidate_tracing.h"
+#include "positional_space/objective_sums.h"
+#include "positional_space/positional_image.h"
+
+namespace vantage {
+namespace {
+
+AccumulationOptions accumulation(const ObjectiveOptions& options, bool keepSightings) {
+  AccumulationOptions result;
+  result.keepSightings = keepSightings;
+  result.surfaceOffset = options.surfaceOffset;
+  return result;
+}
+
+// Adds what the patches give to every position, direction by direction.
+void addPatches(std::span<const VoidPatch> patches, const PatchHistory& history, const PositionalImage& image,
+                const ScannerImages& images, const ObjectiveOptions& options, std::vector<double>& sums) {
+  for (std::size_t p = 0; p < patches.size(); ++p) {
+    for (const auto& sighting : image.sightingsOf(p)) {
+      const OutwardRay cellRay = images.ray(sighting.cell);
+      const Vec3 direction = (cellRay.point - patches[p].centre).normalized();
+      if (!history.attracts(p, direction)) continue;
+      double area = patches[p].weight * static_cast<double>(sighting.confidence);
+      if (options.lookAhead) area *= lookAhead(patches[p], direction, options.breakdownAngle);
+      for (const int position : images.positionsOf(sighting.cell)) sums[static_cast<std::size_t>(position)] += area;
+    }
+  }
+}
+
+// Triangles sampled with less confidence than u: c(T) is the least of their vertices.
+std::vector<ObservationSource> poorTriangles(const Model& model, double tolerance) {
+  std::vector<ObservationSource> sources;
+  for (const Triangle& t : model.mesh.triangles) {
+    const float confidence = std::min({model.confidence[t[0]], model.confidence[t[1]], model.confidence[t[2]]});
+    const Vec3 normal = triangleNormal(model.mesh, t);
+    if (static_cast<double>(confidence) >= tolerance || normal.isZero()) continue;
+    sources.push_back({triangleCentre(model.mesh, t), normal, triangleArea(model.mesh, t)});
+  }
+  return sources;
+}
+
+void addPoorTriangles(const Model& model, const RayCaster& obstacles, const ScannerImages& images,
+                      const ObjectiveOptions& options, const Progress& progress, std::vector<double>& sums) {
+  const auto sources = poorTriangles(model, options.tolerance);
+  // Rays that would not reach the tolerance are not worth tracing: a narrower breakdown angle leaves them out.
+  const double angle = std::min(options.breakdownAngle, std::acos(std::clamp(options.tolerance, 0.0, 1.0)));
+  const auto image = accumulate(sources, obstacles, images, angle, accumulation(options, false), progress);
+  const auto areas = intersect(image, images);
+  for (std::size_t i = 0; i < sums.size(); ++i) sums[i] += areas[i];
+}
+
+}  // namespace
+
+std::vector<double> voidObjective(std::span<const VoidPatch> patches, const PatchHistory& history, const Model& model,
+                                  const RayCaster& obstacles, const ScannerImages& images,
+                                  const ObjectiveOptions& options, const Progress& progress) {
+  std::vector<ObservationSource> sources;
+  sources.reserve(patches.size());
+  for (std::size_t p = 0; p < patches.size(); ++p)
+    sources.push_back({patches[p].centre, patches[p].normal, history.answered(p) ? 0.0 : patches[p].weight});
+  std::vector<double> sums(static_cast<std::size_t>(images.positions()), 0.0);
+  const auto image = accumulate(sources, obstacles, images, options.breakdownAngle, accumulation(options, true),
+                                progress.part(0.0, options.tolerance > 0.0 ? 0.5 : 1.0));
+  addPatches(patches, history, image, images, options, sums);
+  if (options.tolerance > 0.0) addPoorTriangles(model, obstacles, images, options, progress.part(0.5, 1.0), sums);
+  return sums;
+}
+
+std::vector<double> overlapObjective(const Mesh& seen, const RayCaster& obstacles, const ScannerImages& images,
+                                     const ObjectiveOptions& options, const Progress& progress) {
+  const auto image = accumulate(sourcesOf(seen), obstacles, images, options.breakdownAngle,
+                                accumulation(options, false), progress);
+  return intersect(image, images);
+}
+
+}  // namespace vantage

@@ -1,0 +1,181 @@
+#include "planning/planner.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+
+#include "base/errors.h"
+#include "base/parallel.h"
+#include "geometry/decimation.h"
+#include "geometry/measures.h"
+#include "planning/candidate_tracing.h"
+#include "planning/choice.h"
+#include "planning/objective.h"
+#include "registration/motion_information.h"
+#include "void_space/void_patch_builder.h"
+
+namespace vantage {
+namespace {
+
+// Surface elements that predict a registration; more do not change its weak direction.
+constexpr std::size_t kOverlapElements = 2000;
+// Pairs of a registration are not independent: neighbouring samples share errors. So many of them count as one.
+constexpr double kPairsPerObservation = 20.0;
+
+double meanSpacing(std::span<const View> views) {
+  double sum = 0.0;
+  for (const View& view : views) sum += view.mesh->spacing;
+  return sum / static_cast<double>(views.size());
+}
+
+// The mesh that stands for the model in tracing.
+Mesh planningMesh(const Model& model, const PlannerOptions& options, const Progress& progress) {
+  DecimationOptions decimation;
+  decimation.targetTriangles = options.planningTriangles;
+  decimation.maxError = options.planningError;
+  return decimate(model.mesh, decimation, progress);
+}
+
+// An even choice of the mesh's triangles, each standing for those it leaves out.
+std::vector<SurfaceElement> surfaceElements(const Mesh& mesh) {
+  const std::size_t stride = std::max<std::size_t>(1, mesh.triangles.size() / kOverlapElements);
+  std::vector<SurfaceElement> elements;
+  for (std::size_t i = stride / 2; i < mesh.triangles.size(); i += stride) {
+    const Triangle& t = mesh.triangles[i];
+    elements.push_back({triangleCentre(mesh, t), triangleNormal(mesh, t), static_cast<double>(stride) * triangleArea(mesh, t)});
+  }
+  return elements;
+}
+
+// What a plan is made with, put together once.
+class Planning {
+ public:
+  Planning(const PlanInput& input, const PlannerOptions& options)
+      : input_(input), options_(options), spacing_(meanSpacing(input.views)) {
+    objective_.breakdownAngle = input.profile.breakdownAngle;
+    objective_.tolerance = options.tolerance;
+    objective_.lookAhead = options.lookAhead;
+    objective_.surfaceOffset = 0.25 * spacing_;
+    sight_.breakdownAngle = input.profile.breakdownAngle;
+    sight_.offset = 0.25 * spacing_;
+    sight_.margin = 0.5 * spacing_;
+  }
+
+  Plan make(const Progress& progress) {
+    Plan plan;
+    const Progress voidProgress = progress.part(0.0, 0.25, "void_patches");
+    plan.voids = std::make_shared<const VoidSurface>(findVoid(voidProgress.part(0.0, 0.5)));
+    const std::vector<VoidPatch>& patches = plan.voids->patches;
+    const Mesh mesh = planningMesh(input_.model, options_, voidProgress.part(0.5, 0.8));
+    const RayCaster obstacles(mesh);
+    const SightTest sight(input_.profile, obstacles, sight_);
+    const PatchHistory history(patches, input_.views, sight, input_.profile.breakdownAngle, options_.outlook,
+                               voidProgress.part(0.8, 1.0));
+
+    const auto voidAreas = voidObjective(patches, history, input_.model, obstacles, input_.images, objective_,
+                                         progress.part(0.25, 0.45, "project_void"));
+    const auto overlapAreas =
+        overlapObjective(mesh, obstacles, input_.images, objective_, progress.part(0.45, 0.75, "project_seen"));
+    for (std::size_t i = 0; i < voidAreas.size(); ++i) {
+      PositionScore score;
+      score.position = static_cast<int>(i);
+      score.voidArea = voidAreas[i];
+      score.overlapArea = overlapAreas[i];
+      plan.scores.push_back(std::move(score));
+    }
+    decide(plan, mesh, history, sight, progress.part(0.75, 1.0, "choose"));
+    return plan;
+  }
+
+ private:
+  [[nodiscard]] VoidSurface findVoid(const Progress& progress) const {
+    VoidOptions voidOptions;
+    voidOptions.breakdownAngle = input_.profile.breakdownAngle;
+    return buildVoidPatches(input_.model, input_.views, voidOptions, progress);
+  }
+
+  [[nodiscard]] ChoiceOptions rules() const {
+    ChoiceOptions rules;
+    const double perView = area(input_.model.mesh) / static_cast<double>(input_.views.size());
+    rules.leastOverlap = options_.leastOverlap.value_or(options_.overlapShare * perView);
+    rules.terminationThreshold =
+        options_.terminationThreshold.value_or(options_.thresholdEdges * spacing_ * spacing_);
+    rules.maxPoseSigma = spacing_;
+    return rules;
+  }
+
+  // Judges the positions that promise most with the scanner's own rays, until the best of them is known for sure.
+  void decide(Plan& plan, const Mesh& mesh, const PatchHistory& history, const SightTest& sight,
+              const Progress& progress) const {
+    const ChoiceOptions choiceRules = rules();
+    const auto elements = surfaceElements(mesh);
+    Choice choice = choose(plan.scores, input_.profile.workspace, input_.current, choiceRules);
+    while (choice.outcome == PlanOutcome::Found) {
+      const auto next = untracedLeaders(plan.scores, choice, choiceRules);
+      if (next.empty()) break;
+      parallelChunks(next.size(), 1, progress, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t k = begin; k < end; ++k) trace(plan.scores[next[k]], plan.voids->patches, elements, history, sight);
+      });
+      choice = choose(plan.scores, input_.profile.workspace, input_.current, choiceRules);
+    }
+    plan.outcome = choice.outcome;
+    plan.position = choice.position;
+    plan.leastOverlap = choice.leastOverlap;
+    plan.relaxations = choice.relaxations;
+    plan.terminationThreshold = choiceRules.terminationThreshold;
+    plan.angularError = input_.images.grid().shape().angularError;
+    plan.outlook = certify(plan.voids->patches, history,
+                           choice.outcome == PlanOutcome::Found ? std::span<const Pose>() : input_.profile.workspace.poses,
+                           sight, progress);
+  }
+
+  // The positions not yet traced that could beat the choice, best first, a batch at a time. The first batch is filled up
+  // with positions that promise less: positional space may be wrong by its angular error.
+  [[nodiscard]] std::vector<std::size_t> untracedLeaders(const std::vector<PositionScore>& scores, const Choice& choice,
+                                                         const ChoiceOptions& choiceRules) const {
+    const double toBeat = promise(scores[static_cast<std::size_t>(choice.position)]);
+    const bool first = std::none_of(scores.begin(), scores.end(), [](const auto& s) { return s.tracedVoidArea.has_value(); });
+    std::vector<std::size_t> order;
+    for (std::size_t i = 0; i < scores.size(); ++i) {
+      const PositionScore& s = scores[i];
+      const bool open = !s.tracedVoidArea && s.overlapArea > choice.leastOverlap && s.voidArea > choiceRules.terminationThreshold;
+      if (open && (first || s.voidArea >= toBeat)) order.push_back(i);
+    }
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return scores[a].voidArea > scores[b].voidArea; });
+    order.resize(std::min<std::size_t>(order.size(), static_cast<std::size_t>(std::max(1, options_.tracedPositions))));
+    return order;
+  }
+
+  void trace(PositionScore& score, const std::vector<VoidPatch>& patches, std::span<const SurfaceElement> elements,
+             const PatchHistory& history, const SightTest& sight) const {
+    const Pose& pose = input_.profile.workspace.poses[static_cast<std::size_t>(score.position)];
+    traceVoid(score, pose, patches, history, sight,
+              options_.lookAhead ? std::optional(input_.profile.breakdownAngle) : std::nullopt);
+    const Overlap overlap = traceOverlap(pose, elements, sight);
+    std::vector<double> pairs;
+    pairs.reserve(overlap.areas.size());
+    for (const double a : overlap.areas) pairs.push_back(a / (spacing_ * spacing_ * kPairsPerObservation));
+    StabilityOptions stability;
+    stability.noiseSigma = std::max(input_.profile.noise.rangeSigma, 0.05 * spacing_);
+    stability.prior = turntablePrior(input_.profile.mechanics);
+    const Stability predicted = analyseStability(overlap.points, overlap.normals, pairs, stability);
+    score.poseSigma = predicted.poseSigma;
+    score.weakDirection = predicted.weakName;
+  }
+
+  const PlanInput& input_;
+  const PlannerOptions& options_;
+  double spacing_;
+  ObjectiveOptions objective_;
+  SightOptions sight_;
+};
+
+}  // namespace
+
+Plan planNextView(const PlanInput& input, const PlannerOptions& options, const Progress& progress) {
+  if (input.views.empty()) throw InvalidInput("a next best view needs at least one view to go on from");
+  return Planning(input, options).make(progress);
+}
+
+}  // namespace vantage

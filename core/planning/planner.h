@@ -1,0 +1,52 @@
+#pragma once
+
+#include <optional>
+#include <span>
+
+#include "base/progress.h"
+#include "integration/model.h"
+#include "planning/patch_outlook.h"
+#include "planning/plan.h"
+#include "positional_space/scanner_images.h"
+#include "registration/pose_prior.h"
+#include "scanner/profile.h"
+#include "scanner/triangulation.h"
+
+namespace vantage {
+
+struct PlannerOptions {
+  /// u: triangles sampled with less confidence attract views that would sample them with at least u (Appendix). 0: off.
+  double tolerance = 0.0;
+  /// t, least confidence-weighted overlap [mm^2]; unset: `overlapShare` of the model's area per view taken.
+  std::optional<double> leastOverlap;
+  double overlapShare = 0.1;
+  /// F [mm^2]; unset: the patches of so many boundary edges of one sample spacing seen head-on.
+  std::optional<double> terminationThreshold;
+  double thresholdEdges = 30.0;
+  /// Void patches look ahead to the surface behind them. Off: the objective of the paper.
+  bool lookAhead = true;
+  /// Positions that positional space ranks highest are judged with the scanner's own rays, this many at a time.
+  int tracedPositions = 16;
+  /// Triangles of the mesh that stands for the model as obstacle and as overlap, and how far it may depart [mm].
+  std::size_t planningTriangles = 30000;
+  double planningError = 0.1;
+  OutlookOptions outlook;
+};
+
+/// What a plan is made from. References must outlive the call.
+struct PlanInput {
+  const ScannerProfile& profile;
+  const ScannerImages& images;
+  const Model& model;
+  std::span<const View> views;
+  int current = -1;  ///< position of the last scan, -1 for none
+};
+
+/// Finds the next best view (Pito 1999, 5.3): void patches on the model's boundary and the model's triangles are projected
+/// into positional space, every position of the workspace is scored by intersecting its image with theirs, and the
+/// positions that promise most are judged again with the scanner's own rays. Steps reported: void_patches, project_void,
+/// project_seen, choose.
+/// @throws InvalidInput when there is no view yet. @throws Cancelled
+[[nodiscard]] Plan planNextView(const PlanInput& input, const PlannerOptions& options, const Progress& progress);
+
+}  // namespace vantage

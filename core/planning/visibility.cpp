@@ -1,0 +1,52 @@
+#include "planning/visibility.h"
+
+#include <cmath>
+
+namespace vantage {
+
+std::string_view name(Visibility visibility) {
+  switch (visibility) {
+    case Visibility::OutOfReach: return "out_of_reach";
+    case Visibility::TooSteep: return "too_steep";
+    case Visibility::LightBlocked: return "light_blocked";
+    case Visibility::ReceiverBlocked: return "receiver_blocked";
+    case Visibility::Seen: return "seen";
+  }
+  return "";
+}
+
+SightTest::SightTest(const ScannerProfile& profile, const RayCaster& obstacles, const SightOptions& options)
+    : profile_(profile), obstacles_(obstacles), options_(options), minCosine_(std::cos(options.breakdownAngle)) {}
+
+Sight SightTest::look(const Pose& T_object_scanner, const Vec3& point, const Vec3& normal) const {
+  Sight sighting;
+  const RayGrid& rays = *profile_.rays;
+  const Vec3 inScanner = T_object_scanner.inverse() * point;
+  const auto place = rays.locate(inScanner);
+  if (!place) return sighting;
+  const RangingRay ray = rays.rayAt(*place);
+  const double range = (inScanner - ray.origin).dot(ray.direction);
+  if (range < profile_.minRange || range > profile_.maxRange) return sighting;
+
+  sighting.direction = -(T_object_scanner.linear() * ray.direction);
+  sighting.cosine = sighting.direction.dot(normal);
+  sighting.visibility = Visibility::TooSteep;
+  if (sighting.cosine < minCosine_) return sighting;
+
+  sighting.visibility = Visibility::LightBlocked;
+  const Vec3 start = point + options_.offset * normal;
+  if (obstacles_.occluded(start, T_object_scanner * ray.origin, options_.margin)) return sighting;
+
+  sighting.visibility = Visibility::ReceiverBlocked;
+  bool received = !rays.triangulates();
+  for (const Vec3& r : rays.receivers(rays.nearest(*place))) {
+    const Vec3 receiver = T_object_scanner * r;
+    if ((receiver - point).dot(normal) <= 0.0 || obstacles_.occluded(start, receiver, options_.margin)) continue;
+    received = true;
+    break;
+  }
+  if (received) sighting.visibility = Visibility::Seen;
+  return sighting;
+}
+
+}  // namespace vantage

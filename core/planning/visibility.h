@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+#include "geometry/ray_caster.h"
+#include "scanner/profile.h"
+
+namespace vantage {
+
+/// Whether a scanner samples a point of a surface, and if not, the first thing that keeps it from doing so, in the order
+/// in which a scan meets them.
+enum class Visibility : std::uint8_t { OutOfReach, TooSteep, LightBlocked, ReceiverBlocked, Seen };
+
+/// "out_of_reach", "too_steep", "light_blocked", "receiver_blocked", "seen".
+[[nodiscard]] std::string_view name(Visibility visibility);
+
+/// What a scanner at one pose makes of one point.
+struct Sight {
+  Visibility visibility = Visibility::OutOfReach;
+  double cosine = 0.0;            ///< between normal and the direction to the light source
+  Vec3 direction = Vec3::Zero();  ///< unit, from the point to the light source, object coordinates
+};
+
+struct SightOptions {
+  double breakdownAngle = radians(60.0);  ///< [rad]
+  double offset = 0.3;   ///< the lines begin this far in front of the surface [mm]
+  double margin = 0.6;   ///< and what blocks them within this distance does not count [mm]
+};
+
+/// Looks at a point with the scanner's own ranging rays: the ray through it, its range limits, its angle, and the lines
+/// to light and receivers through the obstacles. Exact where positional space is quantised; its cost grows with the number
+/// of poses, so it serves to judge the few positions that positional space proposes.
+class SightTest {
+ public:
+  /// Both must outlive the test.
+  SightTest(const ScannerProfile& profile, const RayCaster& obstacles, const SightOptions& options);
+
+  /// @param normal unit, object coordinates like `point`.
+  [[nodiscard]] Sight look(const Pose& T_object_scanner, const Vec3& point, const Vec3& normal) const;
+
+ private:
+  const ScannerProfile& profile_;
+  const RayCaster& obstacles_;
+  SightOptions options_;
+  double minCosine_;
+};
+
+}  // namespace vantage

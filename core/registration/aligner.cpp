@@ -1,0 +1,153 @@
+#include "registration/aligner.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+
+namespace vantage {
+namespace {
+
+// A motion counts as measured when its information is this many times what the normals' noise pretends.
+constexpr double kMeasured = 2.0;
+
+// Points move less than this share of the pose's own uncertainty: it has settled.
+constexpr double kSettledShare = 0.1;
+// After so many rounds at the final gate steps are halved, in case pairs come and go with every one.
+constexpr int kFullSteps = 6;
+
+}  // namespace
+
+struct Aligner::Step {
+  Pose motion = Pose::Identity();
+  double distance = 0.0;  // [mm] that points move
+  double sigma = 0.0;     // [mm] of the weakest motion, with the prior
+  int heldByPrior = 0;
+};
+
+Aligner::Aligner(const ViewSurface& surface, const RegistrationTarget& model, const Pose& T_object_scanner,
+                 const PosePrior& prior, const IcpOptions& options)
+    : surface_(surface), model_(model), options_(options), T_start_(T_object_scanner), prior_(prior) {}
+
+std::vector<std::uint32_t> Aligner::pick(std::size_t count) const {
+  return thinned(allIndices(model_.size()), count);
+}
+
+std::vector<std::uint32_t> Aligner::visible(const Pose& T_object_scanner, const std::vector<std::uint32_t>& ids,
+                                            std::size_t count, const Progress& progress) const {
+  std::vector<std::optional<GridPosition>> positions(ids.size());
+  std::vector<Pair> pairs(ids.size());
+  PairGates gates = gatesAt(options_.coarseGate);
+  gates.depth = 3.0 * std::max(options_.hiddenDepth, options_.coarseGate);
+  findPairs(model_.surface(), ids, T_object_scanner.inverse(), surface_, gates,
+            positions, progress, pairs);
+  std::vector<std::uint32_t> seen;
+  for (std::size_t k = 0; k < ids.size(); ++k)
+    if (pairs[k].state != PairState::Unseen) seen.push_back(ids[k]);
+  return thinned(std::move(seen), count);
+}
+
+double Aligner::motionInSigmas(const Pose& T_object_scanner) const {
+  const Vec6 motion = motionVector(T_object_scanner * T_start_.inverse(), prior_.centre);
+  return std::sqrt(std::max(0.0, motion.dot(prior_.information * motion)));
+}
+
+PairGates Aligner::gatesAt(double gate) const {
+  const bool coarse = gate > 2.5 * options_.finalGate;
+  return {gate, options_.hiddenDepth, coarse ? options_.coarseAngle : options_.finalAngle};
+}
+
+// One Gauss-Newton step of sum w r^2 / sigma^2 + prior. Rotations are measured by what they do at the points' radius;
+// in the eigenvectors of that matrix, directions without more information than noise pretends are left to the prior.
+Aligner::Step Aligner::solve(const Pose& T, std::span<const Pair> pairs, double sigma, double share) const {
+  Vec3 centre = Vec3::Zero();
+  std::size_t count = 0;
+  for (const Pair& pair : pairs) {
+    if (pair.state != PairState::Paired) continue;
+    centre += pair.point;
+    ++count;
+  }
+  centre /= static_cast<double>(std::max<std::size_t>(count, 1));
+
+  MotionSums sums;
+  Vec6 gradient = Vec6::Zero();
+  double spread = 0.0;
+  for (const Pair& pair : pairs) {
+    if (pair.state != PairState::Paired) continue;
+    const double w = pair.weight * robustWeight(pair.distance, 3.0 * sigma);
+    const Vec3 d = T.linear() * (pair.point - centre);
+    const Vec3 n = T.linear() * pair.normal;
+    sums.add(d, n, w);
+    Vec6 j;
+    j << d.cross(n), n;
+    gradient += (w * pair.distance) * j;
+    spread += w * pair.normalSpread;
+  }
+  if (sums.weight <= 0.0) return {};
+  const double radius = std::max(std::sqrt(sums.secondMoment.trace() / sums.weight), 1e-6);
+  // The mean of two normals that differ by d in two directions has variance |d|^2 / 8 in each.
+  const double normalSigma = std::sqrt(spread / sums.weight / 8.0);
+
+  Vec6 scale;
+  scale << Vec3::Constant(1.0 / radius), Vec3::Ones();
+  const Mat6 toMotion = scale.asDiagonal();
+  const Eigen::SelfAdjointEigenSolver<Mat6> solver(Mat6(toMotion * sums.pairs * toMotion));
+  const Mat6 pretended = toMotion * sums.pretended(normalSigma) * toMotion;
+  Step step;
+  Mat6 information = Mat6::Zero();
+  Vec6 pull = Vec6::Zero();
+  const double weight = 1.0 / (sigma * sigma);
+  for (int k = 0; k < 6; ++k) {
+    const Vec6 v = solver.eigenvectors().col(k);
+    if (solver.eigenvalues()[k] < kMeasured * v.dot(pretended * v) || solver.eigenvalues()[k] <= 0.0) {
+      ++step.heldByPrior;
+      continue;
+    }
+    information += weight * solver.eigenvalues()[k] * v * v.transpose();
+    pull += weight * v.dot(toMotion * gradient) * v;
+  }
+
+  const Vec3 centreInObject = T * centre;
+  const Mat6 toPrior = changeOfCentre(centreInObject, prior_.centre) * toMotion;
+  const Vec6 away = motionVector(T * T_start_.inverse(), prior_.centre);
+  information += toPrior.transpose() * prior_.information * toPrior;
+  pull -= toPrior.transpose() * prior_.information * away;
+  const Vec6 y = share * information.ldlt().solve(pull);
+  if (!y.allFinite()) return {};
+  step.motion = motionAbout(centreInObject, toMotion * y);
+  step.distance = y.norm();
+  const double least = Eigen::SelfAdjointEigenSolver<Mat6>(information, Eigen::EigenvaluesOnly).eigenvalues()[0];
+  step.sigma = 1.0 / std::sqrt(std::max(least, 1e-12));
+  return step;
+}
+
+Fit Aligner::run(const Pose& T_object_scanner, const std::vector<std::uint32_t>& ids, const Schedule& schedule,
+                 const Progress& progress) const {
+  const double leastSigma = std::max(1e-4, 0.02 * surface_.view().spacing);
+  Fit fit;
+  fit.T_object_scanner = T_object_scanner;
+  fit.pairs.resize(ids.size());
+  std::vector<std::optional<GridPosition>> positions(ids.size());
+  double gate = schedule.firstGate;
+  int finalRounds = 0;
+  while (true) {
+    findPairs(model_.surface(), ids, fit.T_object_scanner.inverse(), surface_, gatesAt(gate), positions, progress, fit.pairs);
+    fit.sigma = std::max(leastSigma, 1.4826 * medianDistance(fit.pairs));
+    if (fit.settled || fit.iterations == schedule.maxIterations) return fit;
+    const Step step = solve(fit.T_object_scanner, fit.pairs, fit.sigma, finalRounds < kFullSteps ? 1.0 : 0.5);
+    fit.T_object_scanner = step.motion * fit.T_object_scanner;
+    fit.heldByPrior = step.heldByPrior;
+    ++fit.iterations;
+    if (gate <= schedule.lastGate) {
+      ++finalRounds;
+      fit.settled = step.distance < std::max(schedule.tolerance, kSettledShare * step.sigma);
+    } else {
+      const double wanted = step.distance < 0.1 * gate ? std::min(0.5 * gate, 4.0 * fit.sigma) : 4.0 * fit.sigma;
+      gate = std::max(schedule.lastGate, std::min(gate, wanted));
+    }
+  }
+}
+
+}  // namespace vantage

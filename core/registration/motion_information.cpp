@@ -1,0 +1,113 @@
+#include "registration/motion_information.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/errors.h"
+#include "registration/weak_direction.h"
+
+namespace vantage {
+namespace {
+
+void locateCentre(std::span<const Vec3> points, std::span<const double> weights, Stability& stability) {
+  Vec3 sum = Vec3::Zero();
+  double total = 0.0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const double w = weights.empty() ? 1.0 : weights[i];
+    sum += w * points[i];
+    total += w;
+  }
+  if (total <= 0.0) return;
+  stability.centre = sum / total;
+  double squares = 0.0;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    squares += (weights.empty() ? 1.0 : weights[i]) * (points[i] - stability.centre).squaredNorm();
+  stability.radius = std::sqrt(squares / total);
+}
+
+// Noise can be overestimated; no direction is known less than not at all.
+Mat6 withoutNegativeParts(const Mat6& information) {
+  const Eigen::SelfAdjointEigenSolver<Mat6> solver(information);
+  const double rounding = 1e-12 * solver.eigenvalues().cwiseAbs().maxCoeff();
+  const Vec6 kept = (solver.eigenvalues().array() > rounding).select(solver.eigenvalues(), 0.0);
+  return solver.eigenvectors() * kept.asDiagonal() * solver.eigenvectors().transpose();
+}
+
+double farthestMotion(std::span<const Vec3> points, const Stability& s) {
+  const Vec3 turn = s.weakDirection.head<3>();
+  const Vec3 shift = s.weakDirection.tail<3>();
+  double farthest = points.empty() ? 1.0 : 0.0;
+  for (const Vec3& p : points) farthest = std::max(farthest, (turn.cross(p - s.centre) + shift).norm());
+  return farthest;
+}
+
+}  // namespace
+
+void MotionSums::add(const Vec3& d, const Vec3& n, double w) {
+  Vec6 j;
+  j << d.cross(n), n;
+  pairs.noalias() += (w * j) * j.transpose();
+  secondMoment.noalias() += (w * d) * d.transpose();
+  firstMoment += w * d;
+  weight += w;
+}
+
+MotionSums& MotionSums::operator+=(const MotionSums& other) {
+  pairs += other.pairs;
+  secondMoment += other.secondMoment;
+  firstMoment += other.firstMoment;
+  weight += other.weight;
+  return *this;
+}
+
+Mat6 MotionSums::pretended(double normalSigma) const {
+  // J = A n with A = ([d]x; 1), so the sum over three orthogonal normals is A A^T.
+  Eigen::Matrix3d cross;
+  cross << 0.0, -firstMoment.z(), firstMoment.y(), firstMoment.z(), 0.0, -firstMoment.x(), -firstMoment.y(),
+      firstMoment.x(), 0.0;
+  Mat6 all;
+  all.topLeftCorner<3, 3>() = secondMoment.trace() * Eigen::Matrix3d::Identity() - secondMoment;
+  all.topRightCorner<3, 3>() = cross;
+  all.bottomLeftCorner<3, 3>() = -cross;
+  all.bottomRightCorner<3, 3>() = weight * Eigen::Matrix3d::Identity();
+  return normalSigma * normalSigma * (all - pairs);
+}
+
+Stability analyseStability(std::span<const Vec3> points, std::span<const Vec3> normals, std::span<const double> weights,
+                           const StabilityOptions& options) {
+  if (points.size() != normals.size() || (!weights.empty() && weights.size() != points.size()))
+    throw InvalidInput("stability needs one normal and one weight for every point");
+  if (!(options.noiseSigma > 0.0)) throw InvalidInput("stability needs a positive noise");
+
+  Stability stability;
+  locateCentre(points, weights, stability);
+  const double radius = stability.radius > 0.0 ? stability.radius : 1.0;
+  MotionSums sums;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    sums.add(points[i] - stability.centre, normals[i], weights.empty() ? 1.0 : weights[i]);
+
+  // y = (radius * rotation, translation) = scale^-1 x makes all six directions comparable.
+  Vec6 scale;
+  scale << Vec3::Constant(1.0 / radius), Vec3::Ones();
+  const Mat6 toMotion = scale.asDiagonal();
+  Mat6 scaled = toMotion * (sums.pairs - sums.pretended(options.normalSigma)) * toMotion;
+  scaled = withoutNegativeParts(scaled) / (options.noiseSigma * options.noiseSigma);
+  if (options.prior) scaled += toMotion * informationAbout(*options.prior, stability.centre) * toMotion;
+
+  const Eigen::SelfAdjointEigenSolver<Mat6> solver(scaled);
+  const double rounding = 1e-12 * std::max(solver.eigenvalues()[5], 0.0);
+  stability.eigenvalues = (solver.eigenvalues().array() > rounding).select(solver.eigenvalues(), 0.0);
+  const Mat6 toScaled = scale.cwiseInverse().asDiagonal();
+  stability.information = toScaled * scaled * toScaled;
+  const WeakDirection weak = weakestDirection(stability.eigenvalues, solver.eigenvectors());
+  stability.weakDirection = toMotion * weak.direction;
+  stability.weakName = weak.name;
+  const double least = stability.eigenvalues[0];
+  stability.poseSigma = least > 0.0 ? farthestMotion(points, stability) / std::sqrt(least)
+                                    : std::numeric_limits<double>::infinity();
+  return stability;
+}
+
+}  // namespace vantage

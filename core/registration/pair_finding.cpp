@@ -1,0 +1,71 @@
+#include "registration/pair_finding.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/parallel.h"
+
+namespace vantage {
+namespace {
+
+constexpr std::size_t kGrain = 2048;
+// Points that face away from the ray by less than this cosine are not seen from the scanner.
+constexpr double kFacing = 0.1;
+// A partner may lie this many gates to the side: steep rays slide along the surface.
+constexpr double kAside = 3.0;
+
+Pair judgePair(const Vec3& p, const Vec3& normal, float confidence, const SurfaceSample& sample,
+               const PairGates& gates) {
+  Pair pair;
+  pair.point = sample.point;
+  if (normal.dot(sample.direction) > -kFacing) return pair;
+  const Vec3 offset = p - sample.point;
+  const double agreement = normal.dot(sample.normal);
+  pair.normal = agreement > -0.9 ? Vec3((normal + sample.normal).normalized()) : sample.normal;
+  pair.distance = pair.normal.dot(offset);
+  pair.normalSpread = 2.0 - 2.0 * agreement;
+  pair.weight = std::sqrt(confidence * sample.confidence);
+
+  const double depth = offset.dot(sample.direction);
+  if (std::abs(pair.distance) > gates.distance || std::abs(depth) > kAside * gates.distance) {
+    if (depth > gates.depth) return pair;
+    pair.state = !sample.inside ? PairState::Border : depth > 0.0 ? PairState::Behind : PairState::InFront;
+    return pair;
+  }
+  pair.state = !sample.inside                           ? PairState::Border
+               : agreement < std::cos(gates.angle)      ? PairState::Turned
+                                                        : PairState::Paired;
+  return pair;
+}
+
+}  // namespace
+
+void findPairs(const OrientedPoints& points, std::span<const std::uint32_t> ids, const Pose& T_scanner_points,
+               const ViewSurface& surface, const PairGates& gates, std::span<std::optional<GridPosition>> positions,
+               const Progress& progress, std::span<Pair> pairs) {
+  parallelChunks(ids.size(), kGrain, progress, [&](std::size_t begin, std::size_t end) {
+    std::optional<GridPosition> last;
+    for (std::size_t k = begin; k < end; ++k) {
+      const std::uint32_t i = ids[k];
+      const Vec3 p = T_scanner_points * points.points[i];
+      if (!positions[k]) positions[k] = last;
+      const auto sample = surface.sample(p, positions[k]);
+      if (positions[k]) last = positions[k];
+      pairs[k] = sample ? judgePair(p, T_scanner_points.linear() * points.normals[i], points.confidence[i], *sample, gates)
+                        : Pair{};
+    }
+  });
+}
+
+double medianDistance(std::span<const Pair> pairs) {
+  std::vector<double> distances;
+  distances.reserve(pairs.size());
+  for (const Pair& pair : pairs)
+    if (pair.state == PairState::Paired) distances.push_back(std::abs(pair.distance));
+  if (distances.empty()) return 0.0;
+  const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
+  std::nth_element(distances.begin(), middle, distances.end());
+  return *middle;
+}
+
+}  // namespace vantage

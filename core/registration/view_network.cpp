@@ -1,0 +1,100 @@
+#include "registration/view_network.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <utility>
+
+#include "base/parallel.h"
+
+namespace vantage {
+namespace {
+
+// Points tried to find out whether two views overlap, and fewest that must meet.
+constexpr std::size_t kTried = 300;
+constexpr std::size_t kFewest = 6;
+
+}  // namespace
+
+PreparedView::PreparedView(const View& view) : surface(*view.mesh, *view.image->rays), points(surface.pointsInside()) {}
+
+std::vector<PreparedView> prepareViews(std::span<const View> views, const Progress& progress) {
+  std::vector<std::optional<PreparedView>> slots(views.size());
+  parallelChunks(views.size(), 1, progress, [&](std::size_t i, std::size_t) { slots[i].emplace(views[i]); });
+  std::vector<PreparedView> prepared;
+  prepared.reserve(slots.size());
+  for (auto& slot : slots) prepared.push_back(std::move(*slot));
+  return prepared;
+}
+
+double overlapShare(const PreparedView& from, const PreparedView& to, const Pose& T_to_from, const PairGates& gates,
+                    std::size_t count) {
+  const auto ids = thinned(allIndices(from.points.size()), count);
+  if (ids.empty()) return 0.0;
+  std::vector<std::optional<GridPosition>> positions(ids.size());
+  std::vector<Pair> pairs(ids.size());
+  findPairs(from.points, ids, T_to_from, to.surface, gates, positions, Progress(), pairs);
+  const auto met = static_cast<std::size_t>(
+      std::count_if(pairs.begin(), pairs.end(), [](const Pair& p) { return p.state == PairState::Paired; }));
+  return met < kFewest ? 0.0 : static_cast<double>(met) / static_cast<double>(ids.size());
+}
+
+std::vector<ViewLink> findLinks(std::span<const PreparedView> views, std::span<const Pose> poses,
+                                const PairGates& gates, double minOverlap, std::size_t points,
+                                const Progress& progress) {
+  const std::size_t n = views.size();
+  std::vector<double> share(n * n, 0.0);
+  parallelChunks(n * n, 1, progress, [&](std::size_t k, std::size_t) {
+    const std::size_t i = k / n;
+    const std::size_t j = k % n;
+    if (i != j) share[k] = overlapShare(views[i], views[j], poses[j].inverse() * poses[i], gates, kTried);
+  });
+  std::vector<ViewLink> links;
+  for (std::size_t k = 0; k < n * n; ++k) {
+    if (share[k] < minOverlap || share[k] <= 0.0) continue;
+    ViewLink link;
+    link.from = k / n;
+    link.to = k % n;
+    link.ids = thinned(allIndices(views[link.from].points.size()), points);
+    link.positions.resize(link.ids.size());
+    link.pairs.resize(link.ids.size());
+    links.push_back(std::move(link));
+  }
+  return links;
+}
+
+void findPairs(std::span<const PreparedView> views, std::span<const Pose> poses, const PairGates& gates,
+               const Progress& progress, std::vector<ViewLink>& links) {
+  parallelChunks(links.size(), 1, progress, [&](std::size_t l, std::size_t) {
+    ViewLink& link = links[l];
+    findPairs(views[link.from].points, link.ids, poses[link.to].inverse() * poses[link.from], views[link.to].surface,
+              gates, link.positions, Progress(), link.pairs);
+  });
+}
+
+double deviation(std::span<const ViewLink> links) {
+  std::vector<double> distances;
+  for (const ViewLink& link : links)
+    for (const Pair& pair : link.pairs)
+      if (pair.state == PairState::Paired) distances.push_back(std::abs(pair.distance));
+  if (distances.empty()) return 0.0;
+  const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
+  std::nth_element(distances.begin(), middle, distances.end());
+  return 1.4826 * *middle;
+}
+
+double robustRms(std::span<const ViewLink> links, double gate) {
+  double squares = 0.0;
+  std::size_t count = 0;
+  for (const ViewLink& link : links) {
+    for (const Pair& pair : link.pairs) {
+      if (pair.state == PairState::Unseen || pair.state == PairState::Border) continue;
+      const double distance = pair.state == PairState::Paired ? std::min(std::abs(pair.distance), gate) : gate;
+      squares += distance * distance;
+      ++count;
+    }
+  }
+  return count > 0 ? std::sqrt(squares / static_cast<double>(count)) : 0.0;
+}
+
+}  // namespace vantage

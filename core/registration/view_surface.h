@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "registration/oriented_points.h"
+#include "scanner/triangulation.h"
+
+namespace vantage {
+
+/// A place on a scanned surface, scanner coordinates.
+struct SurfaceSample {
+  Vec3 point = Vec3::Zero();      ///< [mm]
+  Vec3 normal = Vec3::Zero();     ///< unit, toward the scanner
+  Vec3 direction = Vec3::Zero();  ///< of the ray that measured next to it
+  float confidence = 0.0F;        ///< cosine between normal and ray, (0, 1]
+  bool inside = false;            ///< no corner of the triangle is on the border
+};
+
+/// The surface of one view, ready to be looked up along its own rays: the partner of a point is where the point's ray
+/// meets the view's triangles. No search tree, no nearest neighbour. Immutable; queries may run on any thread.
+class ViewSurface {
+ public:
+  /// Keeps referring to both. @pre `view` was triangulated from an image with these rays
+  ViewSurface(const ViewMesh& view, const RayGrid& rays);
+
+  /// The surface seen along the ray through p (scanner coordinates); nothing where the view has none.
+  /// @param position where to begin in the grid; set to where p was found.
+  [[nodiscard]] std::optional<SurfaceSample> sample(const Vec3& p, std::optional<GridPosition>& position) const;
+
+  [[nodiscard]] const ViewMesh& view() const { return *view_; }
+  /// The vertices away from the border, scanner coordinates.
+  [[nodiscard]] OrientedPoints pointsInside() const;
+
+  /// Standard deviation of the samples across the surface, from how they scatter about their neighbours [mm].
+  [[nodiscard]] double noise() const { return noise_; }
+
+ private:
+  const ViewMesh* view_;
+  const RayGrid* rays_;
+  std::vector<std::uint8_t> cells_;  // which of its four possible triangles a grid cell has
+  std::vector<Vec3> normals_;
+  double noise_ = 0.0;
+};
+
+}  // namespace vantage

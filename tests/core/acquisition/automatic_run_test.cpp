@@ -1,0 +1,102 @@
+#include "acquisition/automatic_run.h"
+
+#include <gtest/gtest.h>
+
+#include "acquisition/evaluation.h"
+#include "acquisition/report.h"
+#include "base/errors.h"
+#include "geometry/measures.h"
+#include "small_scene.h"
+
+namespace vantage {
+namespace {
+
+using testing::acquireSmallObject;
+
+// Everything but what depends on the machine.
+nlohmann::ordered_json reportWithoutMachine(const AcquisitionState& state, const AcquisitionSettings& settings) {
+  auto report = makeReport(state, settings, "test");
+  report.erase("peak_memory_mb");
+  for (auto& view : report["views"]) view.erase("seconds");
+  return report;
+}
+
+TEST(AutomaticRun, StopsByItselfWithTheScannableSurfaceCovered) {
+  const AcquisitionSettings settings;
+  const AcquisitionState state = acquireSmallObject(settings, 2);
+  EXPECT_EQ(state.termination, Termination::Finished);
+  EXPECT_GE(state.views.size(), 3U);
+  EXPECT_LE(state.views.size(), 16U);
+  EXPECT_EQ(measure(state.model->mesh).nonManifoldEdges, 0U);
+  EvaluationOptions options;
+  options.tolerance = 1.0;
+  options.samples = 5000;
+  const Evaluation e = evaluate(state.model->mesh, testing::smallObject(), *testing::smallProfile(), options, Progress());
+  EXPECT_GE(e.coverage, 0.95);
+  EXPECT_LE(e.rms, 0.15);
+}
+
+TEST(AutomaticRun, GivesTheSameBytesForAnyNumberOfThreads) {
+  AcquisitionSettings settings;
+  settings.maxViews = 3;
+  const AcquisitionState one = acquireSmallObject(settings, 1);
+  const AcquisitionState three = acquireSmallObject(settings, 3);
+  EXPECT_EQ(reportWithoutMachine(one, settings).dump(), reportWithoutMachine(three, settings).dump());
+  ASSERT_EQ(one.model->mesh.vertices.size(), three.model->mesh.vertices.size());
+  for (std::size_t v = 0; v < one.model->mesh.vertices.size(); ++v)
+    ASSERT_EQ(one.model->mesh.vertices[v], three.model->mesh.vertices[v]) << "vertex " << v;
+  EXPECT_EQ(one.model->mesh.triangles, three.model->mesh.triangles);
+}
+
+TEST(AutomaticRun, NeverMovesTheFirstView) {
+  AcquisitionSettings settings;
+  settings.maxViews = 3;
+  settings.firstView = 5;
+  const AcquisitionState state = acquireSmallObject(settings, 2);
+  EXPECT_EQ(state.records.front().position, 5);
+  EXPECT_EQ(state.views.front().T_object_scanner.matrix(), state.profile->workspace.poses[5].matrix());
+}
+
+TEST(AutomaticRun, StopsAtTheMostViewsAllowed) {
+  AcquisitionSettings settings;
+  settings.maxViews = 2;
+  const AcquisitionState state = acquireSmallObject(settings, 2);
+  EXPECT_EQ(state.termination, Termination::MaxViews);
+  EXPECT_EQ(state.views.size(), 2U);
+}
+
+TEST(AutomaticRun, UniformTakesEquallySpacedPositions) {
+  AcquisitionSettings settings;
+  settings.strategy = parseStrategy("uniform:4");
+  const AcquisitionState state = acquireSmallObject(settings, 2);
+  ASSERT_EQ(state.records.size(), 4U);
+  for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(state.records[i].position, static_cast<int>(6 * i));
+}
+
+TEST(AutomaticRun, ObserverHearsOfEveryStepAndCancellingLeavesTheLastOneWhole) {
+  AcquisitionSettings settings;
+  std::stop_source stop;
+  AcquisitionState last;
+  const auto profile = testing::smallProfile();
+  const ScannerImages images = computeScannerImages(*profile);
+  SimulatedScanner scanner(testing::smallObject(), profile, {});
+  AcquisitionState state;
+  state.profile = profile;
+  const StepObserver observer = [&](const AcquisitionState& s) {
+    last = s;
+    if (s.views.size() == 2) stop.request_stop();
+  };
+  EXPECT_THROW(static_cast<void>(acquire(state, scanner, images, settings, observer, Progress({}, stop.get_token(), 2))), Cancelled);
+  EXPECT_EQ(last.views.size(), 2U);
+  EXPECT_EQ(last.records.size(), 2U);
+  ASSERT_TRUE(last.model);
+}
+
+TEST(Strategy, RefusesWhatItDoesNotKnow) {
+  EXPECT_EQ(name(parseStrategy("uniform:8")), "uniform:8");
+  for (const char* text : {"", "uniform", "uniform:", "uniform:0", "uniform:-1", "uniform:8x", "best"})
+    EXPECT_THROW(static_cast<void>(parseStrategy(text)), InvalidInput) << text;
+}
+
+}  // namespace
+}  // namespace vantage

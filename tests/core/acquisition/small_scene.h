@@ -1,0 +1,21 @@
+#pragma once
+
+#include <memory>
+
+#include "acquisition/automatic_run.h"
+#include "scanner/simulated_scanner.h"
+
+namespace vantage::testing {
+
+/// A coarse rotating stripe scanner with a turntable of 24 steps: about 3 mm between samples.
+[[nodiscard]] ProfileSource smallProfileSource();
+[[nodiscard]] std::shared_ptr<const ScannerProfile> smallProfile();
+
+/// Three spheres of different size grown together: nothing about it is symmetric.
+[[nodiscard]] Mesh smallObject();
+
+/// An automatic acquisition of the small object.
+[[nodiscard]] AcquisitionState acquireSmallObject(const AcquisitionSettings& settings, int threads,
+                                                  const StepObserver& observer = {});
+
+}  // namespace vantage::testing

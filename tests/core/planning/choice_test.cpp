@@ -1,0 +1,82 @@
+#include "planning/choice.h"
+
+#include <gtest/gtest.h>
+
+namespace vantage {
+namespace {
+
+PositionScore score(int position, double voidArea, double overlapArea) {
+  PositionScore s;
+  s.position = position;
+  s.voidArea = voidArea;
+  s.overlapArea = overlapArea;
+  return s;
+}
+
+const ChoiceOptions kOptions{.leastOverlap = 100.0, .terminationThreshold = 10.0, .maxPoseSigma = 1.0, .maxRelaxations = 3};
+
+TEST(Choice, TakesTheMostVoidAmongThoseWithEnoughOverlap) {
+  std::vector<PositionScore> scores{score(0, 50, 500), score(1, 90, 99), score(2, 70, 101), score(3, 5, 500)};
+  const Choice choice = choose(scores, turntable(4), 0, kOptions);
+  EXPECT_EQ(choice.outcome, PlanOutcome::Found);
+  EXPECT_EQ(choice.position, 2);
+  EXPECT_EQ(scores[0].constraint, Constraint::Outscored);
+  EXPECT_EQ(scores[1].constraint, Constraint::OverlapShort);
+  EXPECT_DOUBLE_EQ(scores[1].shortBy, 1.0);
+  EXPECT_EQ(scores[2].constraint, Constraint::Chosen);
+  EXPECT_EQ(scores[3].constraint, Constraint::BelowThreshold);
+  EXPECT_DOUBLE_EQ(scores[3].shortBy, 5.0);
+}
+
+TEST(Choice, PrefersTheTracedAreaOverThatOfPositionalSpace) {
+  std::vector<PositionScore> scores{score(0, 50, 500), score(1, 90, 500)};
+  scores[1].tracedVoidArea = 40.0;
+  EXPECT_EQ(choose(scores, turntable(2), 0, kOptions).position, 0);
+}
+
+TEST(Choice, BreaksTiesByLeastMotionThenByLowerIndex) {
+  std::vector<PositionScore> scores;
+  for (int i = 0; i < 8; ++i) scores.push_back(score(i, i == 1 || i == 4 || i == 6 ? 50 : 20, 500));
+  EXPECT_EQ(choose(scores, turntable(8), 7, kOptions).position, 6);
+  EXPECT_EQ(choose(scores, turntable(8), 0, kOptions).position, 1);
+  scores[1].voidArea = 20;
+  scores[2].voidArea = 50;  // as far from 4 as 6 is
+  scores[4].voidArea = 20;
+  EXPECT_EQ(choose(scores, turntable(8), 4, kOptions).position, 2);
+}
+
+TEST(Choice, IsFinishedWhenNothingExceedsTheThreshold) {
+  std::vector<PositionScore> scores{score(0, 10, 500), score(1, 9, 500)};
+  const Choice choice = choose(scores, turntable(2), 0, kOptions);
+  EXPECT_EQ(choice.outcome, PlanOutcome::Finished);
+  EXPECT_EQ(choice.position, -1);
+  EXPECT_EQ(choice.relaxations, 0);
+}
+
+TEST(Choice, HalvesTheLeastOverlapUntilAPositionReachesIt) {
+  std::vector<PositionScore> scores{score(0, 50, 30), score(1, 60, 20)};
+  const Choice choice = choose(scores, turntable(2), 0, kOptions);
+  EXPECT_EQ(choice.outcome, PlanOutcome::Found);
+  EXPECT_EQ(choice.position, 0);
+  EXPECT_EQ(choice.relaxations, 2);
+  EXPECT_DOUBLE_EQ(choice.leastOverlap, 25.0);
+}
+
+TEST(Choice, SaysNoOverlapWhenVoidIsLeftThatNothingReachesWithOverlap) {
+  std::vector<PositionScore> scores{score(0, 50, 5), score(1, 5, 500)};
+  const Choice choice = choose(scores, turntable(2), 0, kOptions);
+  EXPECT_EQ(choice.outcome, PlanOutcome::NoOverlap);
+  EXPECT_EQ(choice.position, -1);
+  EXPECT_EQ(scores[0].constraint, Constraint::OverlapShort);
+}
+
+TEST(Choice, RefusesPositionsWhoseOverlapWouldNotFixThePose) {
+  std::vector<PositionScore> scores{score(0, 50, 500), score(1, 90, 500)};
+  scores[1].poseSigma = 1.5;
+  EXPECT_EQ(choose(scores, turntable(2), 0, kOptions).position, 0);
+  EXPECT_EQ(scores[1].constraint, Constraint::PoseUncertain);
+  EXPECT_DOUBLE_EQ(scores[1].shortBy, 0.5);
+}
+
+}  // namespace
+}  // namespace vantage

@@ -1,0 +1,65 @@
+#include "planning/visibility.h"
+
+#include <gtest/gtest.h>
+
+#include "support/meshes.h"
+
+namespace vantage {
+namespace {
+
+// A head at x = 300 looking along -x over a 200 mm square, receiver 60 mm to its right (toward +y).
+ScannerProfile makeProfile() {
+  ProfileSource source{"profile.json", R"({
+    "name": "test",
+    "scanner": { "type": "linear_stripe", "position": [300, 0, 100], "stripe_height_mm": 200, "samples_per_stripe": 101,
+      "stripes": 101, "travel_mm": 200, "receivers": [[60, 0, 0]], "breakdown_angle_deg": 60, "range_mm": [100, 400] },
+    "workspace": { "type": "turntable", "steps": 4 } })", {}};
+  return parseProfile(source);
+}
+
+Mesh wall(const Vec3& min, const Vec3& max) { return testing::makeBox(min, max); }
+
+Visibility look(const Mesh& obstacles, const Vec3& point, const Vec3& normal) {
+  const ScannerProfile profile = makeProfile();
+  const RayCaster caster(obstacles);
+  return SightTest(profile, caster, {}).look(Pose::Identity(), point, normal.normalized()).visibility;
+}
+
+const Mesh kNothing;
+
+TEST(SightTest, SeesAPointThatFacesTheScanner) {
+  EXPECT_EQ(look(kNothing, {0, 0, 100}, {1, 0, 0}), Visibility::Seen);
+}
+
+TEST(SightTest, ReachesNeitherBesideTheRaysNorBeyondTheirRange) {
+  EXPECT_EQ(look(kNothing, {0, 0, 210}, {1, 0, 0}), Visibility::OutOfReach);
+  EXPECT_EQ(look(kNothing, {-110, 0, 100}, {1, 0, 0}), Visibility::OutOfReach);
+  EXPECT_EQ(look(kNothing, {210, 0, 100}, {1, 0, 0}), Visibility::OutOfReach);
+}
+
+TEST(SightTest, FindsTheBreakdownAngle) {
+  const auto tilted = [](double angle) { return Vec3(std::cos(radians(angle)), 0.0, std::sin(radians(angle))); };
+  EXPECT_EQ(look(kNothing, {0, 0, 100}, tilted(59.0)), Visibility::Seen);
+  EXPECT_EQ(look(kNothing, {0, 0, 100}, tilted(61.0)), Visibility::TooSteep);
+}
+
+TEST(SightTest, TellsABlockedLightFromABlockedReceiver) {
+  const Mesh inTheLight = wall({100, -5, 95}, {110, 5, 105});
+  EXPECT_EQ(look(inTheLight, {0, 0, 100}, {1, 0, 0}), Visibility::LightBlocked);
+  // Halfway to the receiver at (300, 60, 100) the line of sight passes y = 30.
+  const Mesh inTheSight = wall({140, 20, 95}, {160, 40, 105});
+  EXPECT_EQ(look(inTheSight, {0, 0, 100}, {1, 0, 0}), Visibility::ReceiverBlocked);
+}
+
+TEST(SightTest, TurnsWithThePose) {
+  const ScannerProfile profile = makeProfile();
+  const RayCaster caster(kNothing);
+  const SightTest sight(profile, caster, {});
+  const Sight s = sight.look(profile.workspace.poses[1], {0, 20, 100}, Vec3::UnitY());
+  EXPECT_EQ(s.visibility, Visibility::Seen);
+  EXPECT_NEAR(s.cosine, 1.0, 1e-12);
+  EXPECT_TRUE(s.direction.isApprox(Vec3::UnitY(), 1e-12));
+}
+
+}  // namespace
+}  // namespace vantage

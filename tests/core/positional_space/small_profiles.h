@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "positional_space/positional_image.h"
+#include "scanner/profile.h"
+
+namespace vantage::testing {
+
+/// Small scanners on turntables, one of each kind, with the viewing volume 150 x 300 mm.
+[[nodiscard]] ScannerProfile rotatingStripe(int steps = 45);
+[[nodiscard]] ScannerProfile linearStripe(int steps = 45);
+[[nodiscard]] ScannerProfile pinhole(int steps = 45);
+/// The pinhole's rays as a table.
+[[nodiscard]] ScannerProfile rayTable(int steps = 45);
+/// A pinhole that looks at the volume from several tilts [deg].
+[[nodiscard]] ScannerProfile tiltedPinhole(const std::string& tilts, int steps = 45);
+
+/// One of every kind.
+[[nodiscard]] std::vector<ScannerProfile> everyKind();
+
+/// Sources spread over the volume, with all kinds of normals.
+[[nodiscard]] std::vector<ObservationSource> scatteredSources(int count);
+
+}  // namespace vantage::testing

@@ -1,0 +1,41 @@
+// Writes the sample objects as PLY files: make_sample_objects DIR
+#include <cstdio>
+#include <string>
+
+#include "base/errors.h"
+#include "geometry/decimation.h"
+#include "io/mesh_writer.h"
+#include "support/sample_objects/polygonize.h"
+#include "support/sample_objects/sample_objects.h"
+
+namespace {
+
+constexpr double kSpacing = 0.8;     // [mm]
+constexpr double kMaxError = 0.02;   // [mm]
+constexpr std::size_t kTriangles = 60000;
+
+void write(double (*field)(const vantage::Vec3&), const vantage::Vec3& min, const vantage::Vec3& max, const std::string& path) {
+  const vantage::Mesh fine = vantage::testing::polygonize(field, {min, max}, kSpacing);
+  const vantage::Mesh mesh = vantage::decimate(fine, {kTriangles, kMaxError, true});
+  vantage::exportMesh(mesh, path);
+  std::printf("%s: %zu of %zu triangles\n", path.c_str(), mesh.triangles.size(), fine.triangles.size());
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc != 2) {
+    std::fprintf(stderr, "use: make_sample_objects DIR\n");
+    return 2;
+  }
+  const std::string folder = argv[1];
+  try {
+    write(vantage::testing::mug, {-60, -45, -2}, {60, 45, 99}, folder + "/mug.ply");
+    write(vantage::testing::handset, {-100, -40, -2}, {100, 40, 50}, folder + "/handset.ply");
+    write(vantage::testing::candleHolder, {-62, -56, -2}, {62, 56, 155}, folder + "/candle_holder.ply");
+  } catch (const vantage::Error& e) {
+    std::fprintf(stderr, "%s\n", e.what());
+    return 1;
+  }
+  return 0;
+}
