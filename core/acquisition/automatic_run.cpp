@@ -9,7 +9,9 @@
 namespace vantage {
 namespace {
 
-constexpr int kMostFailures = 3;
+constexpr int kMostFailures = 4;
+// A position is tried after a failed one only when it overlaps by so much more.
+constexpr double kMoreOverlap = 1.5;
 constexpr std::uint64_t kStrategyStream = 0x73747261ULL << 24;
 
 // What to do after the last view.
@@ -85,17 +87,16 @@ class AutomaticRun {
     return {plan.position, plan.scores[static_cast<std::size_t>(plan.position)], Termination::Running};
   }
 
-  // The best position that has not just failed, by the last plan; a baseline goes on as it would have.
+  // After a failure: the best position by the last plan that has clearly more overlap. A baseline goes on as it would have.
   Next afterFailure(const AcquisitionState& state, int position) {
-    failedPositions_.push_back(position);
     if (failures_ >= kMostFailures || state.views.empty()) return {-1, {}, Termination::RegistrationFailed};
     if (!state.records.back().plan) return fromBaseline(state);
-    const Plan& plan = *state.records.back().plan;
+    const std::vector<PositionScore>& scores = state.records.back().plan->scores;
+    const double enough = kMoreOverlap * scores[static_cast<std::size_t>(position)].overlapArea;
     const PositionScore* best = nullptr;
-    for (const PositionScore& score : plan.scores) {
-      const bool allowed = score.constraint == Constraint::Outscored || score.constraint == Constraint::Chosen;
-      const bool failed = std::find(failedPositions_.begin(), failedPositions_.end(), score.position) != failedPositions_.end();
-      if (allowed && !failed && (best == nullptr || promise(score) > promise(*best))) best = &score;
+    for (const PositionScore& score : scores) {
+      const bool allowed = score.constraint == Constraint::Outscored && score.overlapArea > enough;
+      if (allowed && (best == nullptr || promise(score) > promise(*best))) best = &score;
     }
     if (best == nullptr) return {-1, {}, Termination::RegistrationFailed};
     return {best->position, *best, Termination::Running};
@@ -120,7 +121,6 @@ class AutomaticRun {
   const AcquisitionSettings& settings_;
   const StepObserver& observer_;
   StepOptions options_;
-  std::vector<int> failedPositions_;
   int failures_ = 0;
 };
 

@@ -29,7 +29,9 @@ RegistrationResult registerWithModel(const AcquisitionState& state, const View& 
 // Moves the views to where all of them agree best.
 void refine(std::vector<View>& views, const StepOptions& options, const Progress& progress) {
   if (views.size() < 2) return;
-  const MultiViewResult refined = refineViews(views, options.refinement, progress);
+  MultiViewOptions refinement = options.refinement;
+  if (options.registration.prior) refinement.priors.assign(views.size(), *options.registration.prior);
+  const MultiViewResult refined = refineViews(views, refinement, progress);
   for (std::size_t i = 0; i < views.size(); ++i) views[i].T_object_scanner = refined.poses[i];
 }
 

@@ -3,13 +3,18 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 #include <vector>
+
+#include "integration/manifold.h"
 
 namespace vantage {
 namespace {
 
-// A triangle across a hole leans no farther from the hole's plane than this.
+// A triangle across a hole leans no farther than this from the surface around it,
 const double kMinFlatness = std::cos(radians(75.0));
+// unless it is smaller than this share of the square of the longest chord.
+constexpr double kNegligible = 0.01;
 
 // The border edge that leaves the vertex, or kNoIndex.
 std::uint32_t nextOnBorder(const ModelEditor& editor, std::uint32_t vertex) {
@@ -37,13 +42,20 @@ std::vector<std::uint32_t> loopAt(const ModelEditor& editor, std::uint32_t verte
   return loop;
 }
 
-// Least-area triangulation of a polygon of few corners; empty when every one would be folded.
+// Mean normal of the triangles around the loop.
+Vec3 normalAround(const ModelEditor& editor, const std::vector<std::uint32_t>& loop) {
+  Vec3 sum = Vec3::Zero();
+  for (std::size_t i = 0; i < loop.size(); ++i)
+    sum += triangleNormal(editor.model().mesh, editor.triangle(editor.triangleAt(loop[(i + 1) % loop.size()], loop[i])));
+  return sum.normalized();
+}
+
+// Least-area triangulation of a polygon of few corners whose chords are no longer than a limit; none when every one is
+// folded or has a longer chord.
 class PolygonFill {
  public:
-  PolygonFill(const ModelEditor& editor, const std::vector<std::uint32_t>& loop) : editor_(editor), loop_(loop) {
-    for (std::size_t i = 2; i < loop.size(); ++i) normal_ += area(0, i - 1, i);
-    if (normal_.norm() > 0.0) normal_.normalize();
-  }
+  PolygonFill(const ModelEditor& editor, const std::vector<std::uint32_t>& loop, const Vec3& normal, double maxChord)
+      : editor_(editor), loop_(loop), normal_(normal), maxChord_(maxChord) {}
 
   [[nodiscard]] std::vector<Triangle> triangles() {
     const std::size_t n = loop_.size();
@@ -56,26 +68,21 @@ class PolygonFill {
     return result;
   }
 
-  [[nodiscard]] const Vec3& normal() const { return normal_; }
-
  private:
-  [[nodiscard]] Vec3 area(std::size_t a, std::size_t b, std::size_t c) const {
-    const Vec3& p = editor_.position(loop_[a]);
-    return 0.5 * (editor_.position(loop_[b]) - p).cross(editor_.position(loop_[c]) - p);
-  }
-
-  [[nodiscard]] bool chordFree(std::size_t a, std::size_t b) const {
+  [[nodiscard]] bool chordAllowed(std::size_t a, std::size_t b) const {
     if (b == a + 1 || (a == 0 && b + 1 == loop_.size())) return true;
-    return editor_.triangleAt(loop_[a], loop_[b]) == kNoIndex && editor_.triangleAt(loop_[b], loop_[a]) == kNoIndex;
+    return (editor_.position(loop_[a]) - editor_.position(loop_[b])).norm() <= maxChord_ &&
+           editor_.triangleAt(loop_[a], loop_[b]) == kNoIndex && editor_.triangleAt(loop_[b], loop_[a]) == kNoIndex;
   }
 
   void solve(std::size_t i, std::size_t k) {
     const std::size_t n = loop_.size();
     double best = std::numeric_limits<double>::infinity();
-    for (std::size_t j = i + 1; j < k; ++j) {
-      const Vec3 a = area(i, j, k);
-      if (a.dot(normal_) < kMinFlatness * a.norm() || !chordFree(i, k)) continue;
-      const double cost = cost_[i * n + j] + cost_[j * n + k] + a.norm();
+    for (std::size_t j = i + 1; j < k && chordAllowed(i, k); ++j) {
+      const Vec3 a = 0.5 * areaVector(editor_.model().mesh, {loop_[i], loop_[j], loop_[k]});
+      const double area = a.norm();
+      if (a.dot(normal_) < kMinFlatness * area && area > kNegligible * maxChord_ * maxChord_) continue;
+      const double cost = cost_[i * n + j] + cost_[j * n + k] + area;
       if (cost >= best) continue;
       best = cost;
       apex_[i * n + k] = j;
@@ -93,7 +100,8 @@ class PolygonFill {
 
   const ModelEditor& editor_;
   const std::vector<std::uint32_t>& loop_;
-  Vec3 normal_ = Vec3::Zero();
+  Vec3 normal_;
+  double maxChord_;
   std::vector<double> cost_;
   std::vector<std::size_t> apex_;
 };
@@ -128,37 +136,82 @@ bool isSurface(const ModelEditor& editor, const std::vector<std::uint32_t>& loop
   return evidence == Evidence::Surface;
 }
 
-// Whether the surface around the loop faces the way the fill would; it does not at the outer border of a small piece.
-bool facesAlike(const ModelEditor& editor, const std::vector<std::uint32_t>& loop, const Vec3& normal) {
-  Vec3 around = Vec3::Zero();
-  for (std::size_t i = 0; i < loop.size(); ++i) {
-    const std::uint32_t t = editor.triangleAt(loop[(i + 1) % loop.size()], loop[i]);
-    if (t != kNoIndex) around += triangleNormal(editor.model().mesh, editor.triangle(t));
-  }
-  return around.dot(normal) > 0.0;
-}
+class HoleCloser {
+ public:
+  HoleCloser(ModelEditor& editor, const GridSurface& surface, std::uint32_t newView, const ZipperOptions& options)
+      : editor_(editor),
+        surface_(surface),
+        newView_(newView),
+        options_(options),
+        tolerance_(std::max(options.surfaceTolerance, options.spacingTolerance * surface.mesh().spacing)),
+        maxChord_(options.maxHoleChord * surface.mesh().spacing) {}
 
-double widthOf(const ModelEditor& editor, const std::vector<std::uint32_t>& loop) {
-  double width = 0.0;
-  for (const std::uint32_t a : loop)
-    for (const std::uint32_t b : loop) width = std::max(width, (editor.position(a) - editor.position(b)).norm());
-  return width;
-}
+  bool close(const std::vector<std::uint32_t>& loop) {
+    if (!isSurface(editor_, loop, normalAround(editor_, loop), surface_, tolerance_)) return false;
+    return fill(loop) || refill(loop);
+  }
+
+ private:
+  bool fill(const std::vector<std::uint32_t>& loop) {
+    PolygonFill polygon(editor_, loop, normalAround(editor_, loop), maxChord_);
+    const std::vector<Triangle> triangles = polygon.triangles();
+    for (const Triangle& t : triangles) editor_.addTriangle(t, newView_);
+    return !triangles.empty();
+  }
+
+  // Where the borders overlap instead of gaping, there is nothing to fill until the triangles at the loop are gone.
+  bool refill(const std::vector<std::uint32_t>& loop) {
+    std::vector<std::pair<Triangle, std::uint32_t>> removed;
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      const std::uint32_t t = editor_.triangleAt(loop[(i + 1) % loop.size()], loop[i]);
+      if (t == kNoIndex) continue;
+      removed.emplace_back(editor_.triangle(t), editor_.model().triangleView[t]);
+      editor_.removeTriangle(t);
+    }
+    if (refillWidened(removed)) return true;
+    for (const auto& [triangle, view] : removed) editor_.addTriangle(triangle, view);
+    return false;
+  }
+
+  bool refillWidened(const std::vector<std::pair<Triangle, std::uint32_t>>& removed) {
+    for (const auto& [triangle, view] : removed)
+      for (const std::uint32_t v : triangle)
+        if (!isSingleFan(editor_, v)) return false;
+    for (const auto& [triangle, view] : removed)
+      for (const std::uint32_t v : triangle) {
+        const std::vector<std::uint32_t> wider = loopAt(editor_, v, 2 * options_.maxHoleEdges);
+        if (!wider.empty()) return holds(wider, removed) && fill(wider);
+      }
+    return false;
+  }
+
+  // Whether every border vertex that the removal made is on the loop: one hole, not several.
+  bool holds(const std::vector<std::uint32_t>& loop, const std::vector<std::pair<Triangle, std::uint32_t>>& removed) const {
+    for (const auto& [triangle, view] : removed)
+      for (const std::uint32_t v : triangle)
+        if (editor_.onBoundary(v) && std::find(loop.begin(), loop.end(), v) == loop.end()) return false;
+    return true;
+  }
+
+  ModelEditor& editor_;
+  const GridSurface& surface_;
+  std::uint32_t newView_;
+  const ZipperOptions& options_;
+  double tolerance_;
+  double maxChord_;
+};
 
 }  // namespace
 
 std::size_t closeSmallHoles(ModelEditor& editor, const GridSurface& surface, std::uint32_t newView, const ZipperOptions& options) {
-  const double spacing = surface.mesh().spacing;
-  const double tolerance = std::max(options.surfaceTolerance, options.spacingTolerance * spacing);
+  HoleCloser closer(editor, surface, newView, options);
+  std::vector<std::uint8_t> tried(editor.vertexCount(), 0);
   std::size_t closed = 0;
   for (std::uint32_t v = 0; v < editor.vertexCount(); ++v) {
+    if (tried[v]) continue;
     const std::vector<std::uint32_t> loop = loopAt(editor, v, options.maxHoleEdges);
-    if (loop.empty() || widthOf(editor, loop) > options.maxHoleSize * spacing) continue;
-    PolygonFill fill(editor, loop);
-    if (!facesAlike(editor, loop, fill.normal()) || !isSurface(editor, loop, fill.normal(), surface, tolerance)) continue;
-    const std::vector<Triangle> triangles = fill.triangles();
-    for (const Triangle& t : triangles) editor.addTriangle(t, newView);
-    closed += triangles.empty() ? 0 : 1;
+    for (const std::uint32_t w : loop) tried[w] = 1;
+    if (!loop.empty() && closer.close(loop)) ++closed;
   }
   return closed;
 }

@@ -30,7 +30,8 @@ std::vector<std::vector<std::uint32_t>> fansOf(const ModelEditor& editor, std::u
   return fans;
 }
 
-// Whether the triangles at the vertex are one fan, found without listing them.
+}  // namespace
+
 bool isSingleFan(const ModelEditor& editor, std::uint32_t vertex) {
   int count = 0;
   std::uint32_t start = kNoIndex;
@@ -56,8 +57,6 @@ bool isSingleFan(const ModelEditor& editor, std::uint32_t vertex) {
   }
   return walked == count;
 }
-
-}  // namespace
 
 std::size_t resolveBowTies(ModelEditor& editor) {
   std::vector<std::uint32_t> suspects;

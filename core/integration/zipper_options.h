@@ -23,10 +23,10 @@ struct ZipperOptions {
   double breakdownAngle = radians(60.0);
   /// Edges at the seam shorter than this many sample spacings are collapsed.
   double shortestEdge = 0.3;
-  /// Holes with no more edges than this
-  int maxHoleEdges = 8;
-  /// and no wider than this many sample spacings are closed where the views have seen surface.
-  double maxHoleSize = 3.0;
+  /// Holes with no more edges than this are closed where the views have seen surface,
+  int maxHoleEdges = 16;
+  /// if that takes no edge longer than this many sample spacings.
+  double maxHoleChord = 2.5;
   /// Pieces of fewer triangles are dropped.
   int minIslandTriangles = 12;
 };

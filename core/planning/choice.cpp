@@ -4,14 +4,14 @@ namespace vantage {
 namespace {
 
 // The first constraint that binds a position under the rules, or Outscored when none does.
-Constraint bind(PositionScore& score, double leastOverlap, const ChoiceOptions& options) {
+Constraint bind(PositionScore& score, const ChoiceOptions& options) {
   score.shortBy = 0.0;
   if (promise(score) <= options.terminationThreshold) {
     score.shortBy = options.terminationThreshold - promise(score);
     return Constraint::BelowThreshold;
   }
-  if (score.overlapArea <= leastOverlap) {
-    score.shortBy = leastOverlap - score.overlapArea;
+  if (score.overlapArea <= options.leastOverlap) {
+    score.shortBy = options.leastOverlap - score.overlapArea;
     return Constraint::OverlapShort;
   }
   if (score.poseSigma.value_or(0.0) > options.maxPoseSigma) {
@@ -37,12 +37,13 @@ bool better(const PositionScore& a, const PositionScore& b, const Workspace& wor
 Choice choose(std::vector<PositionScore>& scores, const Workspace& workspace, int current,
               const ChoiceOptions& options) {
   Choice choice;
-  choice.leastOverlap = options.leastOverlap;
-  for (;; ++choice.relaxations, choice.leastOverlap /= 2.0) {
+  ChoiceOptions relaxed = options;
+  for (;; ++choice.relaxations, relaxed.leastOverlap /= 2.0, relaxed.maxPoseSigma *= 2.0) {
+    choice.leastOverlap = relaxed.leastOverlap;
     PositionScore* best = nullptr;
     bool voidLeft = false;
     for (PositionScore& score : scores) {
-      score.constraint = bind(score, choice.leastOverlap, options);
+      score.constraint = bind(score, relaxed);
       voidLeft = voidLeft || score.constraint != Constraint::BelowThreshold;
       if (score.constraint != Constraint::Outscored) continue;
       if (best == nullptr || better(score, *best, workspace, current)) best = &score;

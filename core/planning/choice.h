@@ -12,7 +12,8 @@ struct ChoiceOptions {
   double leastOverlap = 0.0;          ///< t [mm^2]
   double terminationThreshold = 0.0;  ///< F [mm^2]
   double maxPoseSigma = 1.0;          ///< worst predicted pose error allowed [mm]
-  int maxRelaxations = 3;             ///< how often t may be halved when no position reaches it
+  /// How often t may be halved, and with it the pose error doubled, when no position satisfies them.
+  int maxRelaxations = 3;
 };
 
 /// The decision over all positions.
@@ -28,7 +29,7 @@ struct Choice {
 
 /// The objective N(i) = o_v(i) if o_s(i) > t, else 0 (Pito 1999, 5.3), maximised over the positions. A tie goes to the
 /// least motion from `current`, then to the lower index. When void is left above F but every such position falls short
-/// of t or of a certain pose, t is halved up to `maxRelaxations` times and at last NoOverlap returned.
+/// of t or of a certain pose, both are relaxed up to `maxRelaxations` times and at last NoOverlap returned.
 /// Writes to every score which constraint bound and by how much it was missed.
 [[nodiscard]] Choice choose(std::vector<PositionScore>& scores, const Workspace& workspace, int current,
                             const ChoiceOptions& options);

@@ -9,6 +9,7 @@
 #include "base/parallel.h"
 #include "geometry/decimation.h"
 #include "geometry/measures.h"
+#include "geometry/mesh_topology.h"
 #include "planning/candidate_tracing.h"
 #include "planning/choice.h"
 #include "planning/objective.h"
@@ -22,6 +23,8 @@ namespace {
 constexpr std::size_t kOverlapElements = 2000;
 // Pairs of a registration are not independent: neighbouring samples share errors. So many of them count as one.
 constexpr double kPairsPerObservation = 20.0;
+// Rings of triangles along the border that give no pairs.
+constexpr int kBorderRings = 2;
 
 double meanSpacing(std::span<const View> views) {
   double sum = 0.0;
@@ -35,6 +38,20 @@ Mesh planningMesh(const Model& model, const PlannerOptions& options, const Progr
   decimation.targetTriangles = options.planningTriangles;
   decimation.maxError = options.planningError;
   return decimate(model.mesh, decimation, progress);
+}
+
+// The mesh without the triangles along its border: registration leaves them out, so they do not count as overlap.
+Mesh withoutBorder(const Mesh& mesh) {
+  std::vector<std::uint8_t> nearBorder = MeshTopology(mesh).onBoundary();
+  for (int ring = 0; ring < kBorderRings; ++ring) {
+    std::vector<std::uint8_t> grown = nearBorder;
+    for (const Triangle& t : mesh.triangles)
+      if (nearBorder[t[0]] || nearBorder[t[1]] || nearBorder[t[2]]) grown[t[0]] = grown[t[1]] = grown[t[2]] = 1;
+    nearBorder = std::move(grown);
+  }
+  Mesh inner = mesh;
+  std::erase_if(inner.triangles, [&](const Triangle& t) { return nearBorder[t[0]] || nearBorder[t[1]] || nearBorder[t[2]]; });
+  return inner;
 }
 
 // An even choice of the mesh's triangles, each standing for those it leaves out.
@@ -75,8 +92,9 @@ class Planning {
 
     const auto voidAreas = voidObjective(patches, history, input_.model, obstacles, input_.images, objective_,
                                          progress.part(0.25, 0.45, "project_void"));
+    const Mesh seen = withoutBorder(mesh);
     const auto overlapAreas =
-        overlapObjective(mesh, obstacles, input_.images, objective_, progress.part(0.45, 0.75, "project_seen"));
+        overlapObjective(seen, obstacles, input_.images, objective_, progress.part(0.45, 0.75, "project_seen"));
     for (std::size_t i = 0; i < voidAreas.size(); ++i) {
       PositionScore score;
       score.position = static_cast<int>(i);
@@ -84,7 +102,7 @@ class Planning {
       score.overlapArea = overlapAreas[i];
       plan.scores.push_back(std::move(score));
     }
-    decide(plan, mesh, history, sight, progress.part(0.75, 1.0, "choose"));
+    decide(plan, seen, history, sight, progress.part(0.75, 1.0, "choose"));
     return plan;
   }
 
@@ -98,18 +116,19 @@ class Planning {
   [[nodiscard]] ChoiceOptions rules() const {
     ChoiceOptions rules;
     const double perView = area(input_.model.mesh) / static_cast<double>(input_.views.size());
-    rules.leastOverlap = options_.leastOverlap.value_or(options_.overlapShare * perView);
+    rules.leastOverlap = options_.leastOverlap.value_or(
+        std::max(options_.overlapShare * perView, options_.overlapSamples * spacing_ * spacing_));
     rules.terminationThreshold =
         options_.terminationThreshold.value_or(options_.thresholdEdges * spacing_ * spacing_);
-    rules.maxPoseSigma = spacing_;
+    rules.maxPoseSigma = options_.poseSigmaShare * spacing_;
     return rules;
   }
 
   // Judges the positions that promise most with the scanner's own rays, until the best of them is known for sure.
-  void decide(Plan& plan, const Mesh& mesh, const PatchHistory& history, const SightTest& sight,
+  void decide(Plan& plan, const Mesh& seen, const PatchHistory& history, const SightTest& sight,
               const Progress& progress) const {
     const ChoiceOptions choiceRules = rules();
-    const auto elements = surfaceElements(mesh);
+    const auto elements = surfaceElements(seen);
     Choice choice = choose(plan.scores, input_.profile.workspace, input_.current, choiceRules);
     while (choice.outcome == PlanOutcome::Found) {
       const auto next = untracedLeaders(plan.scores, choice, choiceRules);

@@ -17,9 +17,13 @@ namespace vantage {
 struct PlannerOptions {
   /// u: triangles sampled with less confidence attract views that would sample them with at least u (Appendix). 0: off.
   double tolerance = 0.0;
-  /// t, least confidence-weighted overlap [mm^2]; unset: `overlapShare` of the model's area per view taken.
+  /// t, least confidence-weighted overlap away from the model's border [mm^2]; unset: `overlapShare` of the model's area
+  /// per view taken, but no less than the area of `overlapSamples` samples.
   std::optional<double> leastOverlap;
   double overlapShare = 0.1;
+  double overlapSamples = 300.0;
+  /// The overlap must fix the pose to within this share of the sample spacing.
+  double poseSigmaShare = 0.2;
   /// F [mm^2]; unset: the patches of so many boundary edges of one sample spacing seen head-on.
   std::optional<double> terminationThreshold;
   double thresholdEdges = 30.0;

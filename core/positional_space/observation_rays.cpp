@@ -3,22 +3,24 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <span>
 
 namespace vantage {
 namespace {
 
 // Steps over all slopes in which the occupied cells of a surface cell are looked up.
-constexpr int kLookupSteps = 64;
+constexpr int kStepsUp = 16;
+constexpr int kStepsAcross = 64;
 // Slopes beyond any that a cell can have.
 constexpr float kAnySlope = 1e9F;
 // [mm] A source nearer than this to the plane of a surface cell sees it edge-on.
 constexpr float kLeastDistance = 1e-3F;
 
 // The step of a slope: uniform in slope / (1 + |slope|), which is cheap and covers all slopes.
-int lookupStep(float slope) {
+int stepOf(float slope, int steps) {
   const float x = slope / (1.0F + std::abs(slope));
-  return std::clamp(static_cast<int>((x + 1.0F) * (0.5F * kLookupSteps)), 0, kLookupSteps - 1);
+  return std::clamp(static_cast<int>((x + 1.0F) * (0.5F * static_cast<float>(steps))), 0, steps - 1);
 }
 
 }  // namespace
@@ -90,6 +92,8 @@ ObservationRays::ObservationRays(const ScannerImages& scanner, double breakdownA
     : scanner_(scanner),
       options_(options),
       minCosine_(static_cast<float>(std::cos(breakdownAngle))),
+      minRange_(static_cast<float>(scanner.data().minRange)),
+      maxRange_(static_cast<float>(scanner.data().maxRange)),
       columns_(static_cast<std::size_t>(scanner.grid().columns())),
       columnsPerPeriod_(columns_ / static_cast<std::size_t>(scanner.data().periods)) {
   for (std::size_t column = 0; column < columns_; ++column) {
@@ -98,6 +102,7 @@ ObservationRays::ObservationRays(const ScannerImages& scanner, double breakdownA
     sine_.push_back(static_cast<float>(-across.x()));
   }
   for (int row = 0; row < scanner.grid().rows(); ++row) addRow(row);
+  addFanRanges();
   addSlopeRanges();
   addLookup();
 }
@@ -112,7 +117,28 @@ void ObservationRays::addRow(int row) {
                    static_cast<float>(slack)});
 }
 
-// delta inside the cell means |a - b| <= (I/h + |K|) half: the part without 1/h widens the range of the slopes a.
+// delta inside the surface cell implies |a - b| <= (I / h + |K|) half: of the slopes on either side, b +- half / h are
+// those by which the source sees the surface cell, and a +- |K| half those of the ranging rays.
+void ObservationRays::addFanRanges() {
+  const ScannerImages::Data& data = scanner_.data();
+  order_.resize(data.cells.size());
+  std::iota(order_.begin(), order_.end(), 0U);
+  for (std::size_t stored = 0; stored + 1 < data.surfaceStart.size(); ++stored) {
+    const Row& row = rows_[stored / columnsPerPeriod_];
+    const auto begin = order_.begin() + data.surfaceStart[stored];
+    const auto end = order_.begin() + data.surfaceStart[stored + 1];
+    std::stable_sort(begin, end, [&](std::uint32_t a, std::uint32_t b) {
+      return stepOf(data.cells[a].slope[1], kStepsUp) < stepOf(data.cells[b].slope[1], kStepsUp);
+    });
+    for (auto k = begin; k != end; ++k) {
+      const OccupiedCell& cell = data.cells[*k];
+      const float across = std::abs(cell.fan[0]) * row.halfWidth + std::abs(cell.fan[1]) * row.halfHeight;
+      const float up = std::abs(cell.fan[2]) * row.halfWidth + std::abs(cell.fan[3]) * row.halfHeight;
+      fans_.push_back({{cell.slope[0] - across, cell.slope[0] + across}, {cell.slope[1] - up, cell.slope[1] + up}});
+    }
+  }
+}
+
 void ObservationRays::addSlopeRanges() {
   const ScannerImages::Data& data = scanner_.data();
   for (std::size_t r = 0; r < rows_.size(); ++r) {
@@ -121,10 +147,8 @@ void ObservationRays::addSlopeRanges() {
       const std::size_t stored = r * columnsPerPeriod_ + column % columnsPerPeriod_;
       SlopeRange range{kAnySlope, -kAnySlope};
       for (std::uint32_t k = data.surfaceStart[stored]; k < data.surfaceStart[stored + 1]; ++k) {
-        const OccupiedCell& cell = data.cells[k];
-        const float margin = std::abs(cell.fan[2]) * rows_[r].halfWidth + std::abs(cell.fan[3]) * rows_[r].halfHeight;
-        range.low = std::min(range.low, cell.slope[1] - margin);
-        range.high = std::max(range.high, cell.slope[1] + margin);
+        range.low = std::min(range.low, fans_[k].up.low);
+        range.high = std::max(range.high, fans_[k].up.high);
       }
       low_.push_back(range.low);
       high_.push_back(range.high);
@@ -138,19 +162,42 @@ void ObservationRays::addSlopeRanges() {
 void ObservationRays::addLookup() {
   const ScannerImages::Data& data = scanner_.data();
   for (std::size_t stored = 0; stored + 1 < data.surfaceStart.size(); ++stored) {
-    const Row& row = rows_[stored / columnsPerPeriod_];
-    float spread = 0.0F;
-    std::uint32_t k = data.surfaceStart[stored];
-    for (int step = 0; step < kLookupSteps; ++step) {
-      while (k < data.surfaceStart[stored + 1] && lookupStep(data.cells[k].slope[0]) < step) ++k;
-      lookup_.push_back(k);
+    const std::uint32_t begin = data.surfaceStart[stored];
+    const std::uint32_t end = data.surfaceStart[stored + 1];
+    Lookup lookup{0, -1, 0.0F, static_cast<std::uint32_t>(lookup_.size())};
+    if (begin < end) {
+      lookup.firstUp = stepOf(data.cells[order_[begin]].slope[1], kStepsUp);
+      lookup.lastUp = stepOf(data.cells[order_[end - 1]].slope[1], kStepsUp);
     }
-    lookup_.push_back(data.surfaceStart[stored + 1]);
-    for (k = data.surfaceStart[stored]; k < data.surfaceStart[stored + 1]; ++k)
-      spread = std::max(spread, std::abs(data.cells[k].fan[0]) * row.halfWidth +
-                                    std::abs(data.cells[k].fan[1]) * row.halfHeight);
-    spread_.push_back(spread);
+    std::uint32_t first = begin;
+    for (int up = lookup.firstUp; up <= lookup.lastUp; ++up) {
+      std::uint32_t last = first;
+      while (last < end && stepOf(data.cells[order_[last]].slope[1], kStepsUp) == up) ++last;
+      addSteps(first, last);
+      first = last;
+    }
+    for (std::uint32_t k = begin; k < end; ++k)
+      lookup.margin = std::max(lookup.margin, 0.5F * (fans_[k].up.high - fans_[k].up.low));
+    lookups_.push_back(lookup);
   }
+}
+
+// For each step across, the smallest range of [first, last) with all cells whose fan reaches into it.
+void ObservationRays::addSteps(std::uint32_t first, std::uint32_t last) {
+  const std::size_t start = lookup_.size();
+  lookup_.resize(start + kStepsAcross, {last, first});
+  for (std::uint32_t k = first; k < last; ++k) {
+    for (int step = stepOf(fans_[k].across.low, kStepsAcross); step <= stepOf(fans_[k].across.high, kStepsAcross); ++step) {
+      auto& range = lookup_[start + static_cast<std::size_t>(step)];
+      range[0] = std::min(range[0], k);
+      range[1] = std::max(range[1], k + 1);
+    }
+  }
+  // A range that begins in one step and ends in a later one must not be empty because its ends are.
+  for (std::size_t step = 1; step < kStepsAcross; ++step)
+    lookup_[start + step][1] = std::max(lookup_[start + step][1], lookup_[start + step - 1][1]);
+  for (std::size_t step = kStepsAcross - 1; step-- > 0;)
+    lookup_[start + step][0] = std::min(lookup_[start + step][0], lookup_[start + step + 1][0]);
 }
 
 // Whether any cell of a row can be a candidate.
@@ -212,37 +259,59 @@ ObservationRays::Candidate ObservationRays::candidate(const View& view, std::siz
           row.normalAxial * rise - row.normalZ * beyond};
 }
 
-// The occupied cells with delta = (I - h K)^-1 (h a - d) inside the surface cell and the source within range.
+// The occupied cells that the source meets in a surface cell.
 void ObservationRays::match(const Candidate& c, std::vector<Match>& matches) const {
-  const ScannerImages::Data& data = scanner_.data();
   const Row& row = rows_[c.row];
   const std::size_t stored = c.row * columnsPerPeriod_ + c.column % columnsPerPeriod_;
-  const float h = c.ahead;
-  const float middle = c.across / h;
-  const float reach = row.halfWidth / h + spread_[stored];
-  const std::uint32_t* first = &lookup_[stored * (kLookupSteps + 1)];
-  const std::uint32_t end = first[lookupStep(middle + reach) + 1];
-  for (std::uint32_t k = first[lookupStep(middle - reach)]; k < end; ++k) {
-    const OccupiedCell& cell = data.cells[k];
-    const float a = 1.0F - h * cell.fan[0];
-    const float d = 1.0F - h * cell.fan[3];
-    const float b = h * cell.fan[1];
-    const float e = h * cell.fan[2];
-    const float r0 = h * cell.slope[0] - c.across;
-    const float r1 = h * cell.slope[1] - c.up;
-    const float determinant = a * d - b * e;
-    const float across = d * r0 + b * r1;
-    const float up = e * r0 + a * r1;
-    const float size = std::abs(determinant);
-    if (std::abs(across) > row.halfWidth * size || std::abs(up) > row.halfHeight * size) continue;
-    const float distance = std::sqrt(h * h + c.across * c.across + c.up * c.up) + cell.sourceDistance;
-    if (distance < static_cast<float>(data.minRange) || distance > static_cast<float>(data.maxRange)) continue;
-    Match m{k, across / determinant, up / determinant, 0.0F, cell.receiverSide};
-    const float offAcross = r0 / (h * row.halfWidth);
-    const float offUp = r1 / (h * row.halfHeight);
-    m.off = offAcross * offAcross + offUp * offUp;
-    matches.push_back(m);
+  const float inverse = 1.0F / c.ahead;
+  const float across = c.across * inverse;
+  const float up = c.up * inverse;
+  const FanRange seen{{across - row.halfWidth * inverse, across + row.halfWidth * inverse},
+                      {up - row.halfHeight * inverse, up + row.halfHeight * inverse}};
+  const Lookup& lookup = lookups_[stored];
+  const int firstAcross = stepOf(seen.across.low, kStepsAcross);
+  const int lastAcross = stepOf(seen.across.high, kStepsAcross);
+  int firstUp = lookup.firstUp;
+  int lastUp = lookup.lastUp;
+  if (firstUp < lastUp) {
+    firstUp = std::max(firstUp, stepOf(seen.up.low - lookup.margin, kStepsUp));
+    lastUp = std::min(lastUp, stepOf(seen.up.high + lookup.margin, kStepsUp));
   }
+  for (int step = firstUp; step <= lastUp; ++step) {
+    const auto* ranges = &lookup_[lookup.start + static_cast<std::size_t>((step - lookup.firstUp) * kStepsAcross)];
+    const std::uint32_t end = ranges[lastAcross][1];
+    for (std::uint32_t k = ranges[firstAcross][0]; k < end; ++k) {
+      const FanRange& fan = fans_[k];
+      if (fan.across.high >= seen.across.low && fan.across.low <= seen.across.high && fan.up.high >= seen.up.low &&
+          fan.up.low <= seen.up.high)
+        matchCell(c, order_[k], matches);
+    }
+  }
+}
+
+// Solves delta = (I - h K)^-1 (h a - d): where in the surface cell the ranging ray through the source crosses it.
+void ObservationRays::matchCell(const Candidate& c, std::uint32_t number, std::vector<Match>& matches) const {
+  const Row& row = rows_[c.row];
+  const OccupiedCell& cell = scanner_.data().cells[number];
+  const float h = c.ahead;
+  const float a = 1.0F - h * cell.fan[0];
+  const float d = 1.0F - h * cell.fan[3];
+  const float b = h * cell.fan[1];
+  const float e = h * cell.fan[2];
+  const float offAcross = h * cell.slope[0] - c.across;
+  const float offUp = h * cell.slope[1] - c.up;
+  const float determinant = a * d - b * e;
+  const float across = d * offAcross + b * offUp;
+  const float up = e * offAcross + a * offUp;
+  const float size = std::abs(determinant);
+  if (std::abs(across) > row.halfWidth * size || std::abs(up) > row.halfHeight * size) return;
+  const float distance = std::sqrt(h * h + c.across * c.across + c.up * c.up) + cell.sourceDistance;
+  if (distance < minRange_ || distance > maxRange_) return;
+  const float inverse = 1.0F / determinant;
+  const float shareAcross = offAcross / row.halfWidth;
+  const float shareUp = offUp / row.halfHeight;
+  matches.push_back({number, across * inverse, up * inverse, shareAcross * shareAcross + shareUp * shareUp,
+                     cell.receiverSide});
 }
 
 // One observation ray for matches with receivers on one side, aimed to be collinear with the nearest of them.
@@ -290,7 +359,9 @@ void ObservationRays::append(const ObservationSource& source, std::uint32_t inde
       if (!options_.prune) emit(view, c, index, {}, batch);
       return;
     }
-    std::stable_sort(matches.begin(), matches.end(), [](const Match& a, const Match& b) { return a.side < b.side; });
+    const auto bySide = [](const Match& a, const Match& b) { return a.side < b.side; };
+    if (!std::is_sorted(matches.begin(), matches.end(), bySide))
+      std::stable_sort(matches.begin(), matches.end(), bySide);
     for (auto first = matches.begin(); first != matches.end();) {
       const auto last = std::find_if(first, matches.end(), [&](const Match& m) { return m.side != first->side; });
       emit(view, c, index, {first, last}, batch);

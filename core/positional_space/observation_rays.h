@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -56,10 +57,22 @@ class ObservationRays {
     float halfHeight = 0.0F;
     float slack = 0.0F;       // see addRow
   };
-  // Bounds of slope[1], between which an observation ray can be in an occupied cell but for its own parallax.
   struct SlopeRange {
     float low;
     float high;
+  };
+  // Slopes of the ranging rays that cross an occupied cell's surface cell: an observation ray can be in the occupied
+  // cell when the slopes by which its source sees the surface cell overlap these.
+  struct FanRange {
+    SlopeRange across;
+    SlopeRange up;
+  };
+  // The occupied cells of a surface cell are listed by steps of their slopes, `up` first.
+  struct Lookup {
+    int firstUp;  // steps of `up` in use
+    int lastUp;
+    float margin; // half the widest fan range of `up`
+    std::uint32_t start;  // of its steps in lookup_
   };
   // Which surface cells are asked for: those whose middle is within the breakdown angle, those of which any point may
   // be, or those among the latter that have occupied cells to match.
@@ -69,19 +82,24 @@ class ObservationRays {
   struct Match;
 
   void addRow(int row);
+  void addFanRanges();
   void addSlopeRanges();
   void addLookup();
+  void addSteps(std::uint32_t first, std::uint32_t last);
   template <typename Visit>
   void forCandidates(const View& view, Purpose purpose, const Visit& visit) const;
   [[nodiscard]] bool reaches(const View& view, std::size_t row, Purpose purpose) const;
   [[nodiscard]] Candidate candidate(const View& view, std::size_t row, std::size_t column) const;
   void match(const Candidate& c, std::vector<Match>& matches) const;
+  void matchCell(const Candidate& c, std::uint32_t number, std::vector<Match>& matches) const;
   void emit(const View& view, const Candidate& c, std::uint32_t source, std::span<const Match> matches,
             ObservationBatch& batch) const;
 
   const ScannerImages& scanner_;
   AccumulationOptions options_;
   float minCosine_;
+  float minRange_;
+  float maxRange_;
   std::size_t columns_;
   std::size_t columnsPerPeriod_;
   std::vector<Row> rows_;
@@ -90,8 +108,11 @@ class ObservationRays {
   std::vector<float> low_;     // per surface cell
   std::vector<float> high_;
   std::vector<SlopeRange> rowRange_;
-  std::vector<float> spread_;          // per stored surface cell, how far beyond its parallax to look in slope[0]
-  std::vector<std::uint32_t> lookup_;  // per stored surface cell and step of slope[0], the first occupied cell
+  std::vector<FanRange> fans_;      // per entry of order_
+  std::vector<std::uint32_t> order_;  // occupied cells by surface cell, step of `up`, slope across
+  std::vector<Lookup> lookups_;     // per stored surface cell
+  // Per step of `up` and of `across` where in order_ those cells begin and end whose fan reaches into the step.
+  std::vector<std::array<std::uint32_t, 2>> lookup_;
 };
 
 }  // namespace vantage

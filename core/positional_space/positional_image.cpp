@@ -14,10 +14,8 @@
 namespace vantage {
 namespace {
 
-// Rays that the ray caster is handed at once.
-constexpr std::size_t kPacket = 256;
-// Rays that are collected before they are traced: many packets, and still in the cache.
-constexpr std::size_t kBatch = 4 * kPacket;
+// Rays that are collected before they are traced as one stream: they stay in the cache.
+constexpr std::size_t kBatch = 512;
 // Sources per chunk of work.
 constexpr std::size_t kChunk = 128;
 
@@ -25,11 +23,6 @@ struct SourceSighting {
   std::uint32_t source;
   Sighting sighting;
 };
-
-void trace(const RayCaster& obstacles, std::vector<OcclusionRay>& rays) {
-  for (std::size_t k = 0; k < rays.size(); k += kPacket)
-    obstacles.occluded(std::span(rays).subspan(k, std::min(kPacket, rays.size() - k)));
-}
 
 // Adds up the contributions of the chunks that one thread works on.
 class Accumulator {
@@ -66,7 +59,7 @@ class Accumulator {
 
  private:
   void flush() {
-    trace(obstacles_, batch_.rays);
+    obstacles_.occluded(batch_.rays);
     image.observationRays += batch_.rays.size();
     pending_.clear();
     for (std::size_t k = 0; k < batch_.rays.size(); ++k) {
@@ -85,7 +78,7 @@ class Accumulator {
     sight_.clear();
     sightOf_.clear();
     for (std::size_t k = 0; k < pending_.size(); ++k) addLineOfSight(k, r);
-    trace(obstacles_, sight_);
+    obstacles_.occluded(sight_);
     image.linesOfSight += sight_.size();
     seen_.assign(pending_.size(), 0);
     for (std::size_t k = 0; k < sight_.size(); ++k) {

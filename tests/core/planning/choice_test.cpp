@@ -78,5 +78,13 @@ TEST(Choice, RefusesPositionsWhoseOverlapWouldNotFixThePose) {
   EXPECT_DOUBLE_EQ(scores[1].shortBy, 0.5);
 }
 
+TEST(Choice, AllowsTwiceThePoseErrorWithEveryRelaxation) {
+  std::vector<PositionScore> scores{score(0, 50, 500)};
+  scores[0].poseSigma = 3.5;
+  const Choice choice = choose(scores, turntable(1), 0, kOptions);
+  EXPECT_EQ(choice.outcome, PlanOutcome::Found);
+  EXPECT_EQ(choice.relaxations, 2);
+}
+
 }  // namespace
 }  // namespace vantage

@@ -77,11 +77,12 @@ TEST(ScannerImages, ImageCellsAreThoseOfTheRangingRaysThroughTheirMiddles) {
 }
 
 TEST(ScannerImages, EverySurfaceCellInViewIsEntered) {
-  // Linear stripe: at position 0 the rays are parallel to -x and cover |y| <= 115 and z from 5 to 295 of the near side.
+  // Linear stripe: at position 0 the rays are parallel to -x and cover |y| <= 115 and z from 5 to 295 of the near side,
+  // and half a ray's spacing more.
   const ScannerImages images = computeScannerImages(testing::linearStripe());
   std::size_t expected = 0;
   for (const SurfaceCell& cell : images.grid().surfaceCells())
-    if (cell.centre.x() > 0.0 && std::abs(cell.centre.y()) <= 115.0) ++expected;
+    if (cell.centre.x() > 0.0 && std::abs(cell.centre.y()) <= 115.0 + 1.456) ++expected;
   EXPECT_EQ(images.image(0).size(), expected);
 }
 

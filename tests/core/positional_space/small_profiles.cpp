@@ -41,7 +41,8 @@ ScannerProfile pinhole(int steps) {
 }
 
 ScannerProfile rayTable(int steps) {
-  const RayGrid& rays = *pinhole(1).rays;
+  const auto owner = pinhole(1).rays;
+  const RayGrid& rays = *owner;
   std::ostringstream table;
   table.precision(17);
   for (std::size_t i = 0; i < rays.size(); ++i) {

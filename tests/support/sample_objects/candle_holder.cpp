@@ -78,7 +78,7 @@ double candleHolder(const Vec3& p) {
   figure = join(figure, arms(m), 2.0);
   figure = join(figure, tail(p), 3.0);
   figure = join(figure, candle(p), 3.0);
-  return join(figure, base(p), 3.0);
+  return std::max(join(figure, base(p), 3.0), -p.z());
 }
 
 }  // namespace vantage::testing

@@ -9,7 +9,7 @@ namespace vantage::testing {
 namespace {
 
 constexpr double kAxisHeight = 23.0;
-constexpr double kBack = 5.0;  // so that the bounding box stands on the axis
+constexpr double kBack = 2.6;  // so that the bounding box stands on the axis
 constexpr std::size_t kGripPieces = 20;
 
 std::array<Vec3, kGripPieces + 1> gripPath() {
@@ -40,7 +40,7 @@ double handset(const Vec3& p) {
   const double grip = tube(Vec3(q.x(), q.y(), 0.8 * q.z()), kPath, 11.5, 11.5);
   const double ear = piece(q, Vec2(-71.5, 0.0), 23.0, radians(6.0), 6.0);
   const double mouth = piece(q, Vec2(72.0, 0.0), 22.5, radians(-9.0), 4.5);
-  return join(join(grip, ear, 9.0), mouth, 9.0);
+  return std::max(join(join(grip, ear, 9.0), mouth, 9.0), -p.z());
 }
 
 }  // namespace vantage::testing

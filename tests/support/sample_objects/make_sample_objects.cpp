@@ -10,13 +10,15 @@
 
 namespace {
 
-constexpr double kSpacing = 0.8;     // [mm]
+constexpr double kSpacing = 1.0;     // [mm]
 constexpr double kMaxError = 0.02;   // [mm]
+constexpr double kFlat = 1e-3;       // [mm]
 constexpr std::size_t kTriangles = 60000;
 
 void write(double (*field)(const vantage::Vec3&), const vantage::Vec3& min, const vantage::Vec3& max, const std::string& path) {
   const vantage::Mesh fine = vantage::testing::polygonize(field, {min, max}, kSpacing);
-  const vantage::Mesh mesh = vantage::decimate(fine, {kTriangles, kMaxError, true});
+  vantage::Mesh mesh = vantage::decimate(fine, {kTriangles, kMaxError, true});
+  vantage::testing::flipFlatTriangles(mesh, kFlat);
   vantage::exportMesh(mesh, path);
   std::printf("%s: %zu of %zu triangles\n", path.c_str(), mesh.triangles.size(), fine.triangles.size());
 }

@@ -9,7 +9,7 @@ namespace vantage::testing {
 namespace {
 
 // So that the bounding box of cup and handle stands on the axis.
-constexpr double kHandleOverhang = 15.5;
+constexpr double kHandleOverhang = 14.5;
 
 // The middle of the wall, from the bottom's rim up.
 const Vec2 kWallFoot(35.2, 4.0);
@@ -42,7 +42,8 @@ double mug(const Vec3& p) {
   const Vec3 squeezed(q.x(), 0.62 * q.y(), q.z());
   const double strap = tube(squeezed, kPath, 4.2, 4.6);
   const double wallRadius = kWallFoot.x() + (kWallRim.x() - kWallFoot.x()) * (q.z() - kWallFoot.y()) / (kWallRim.y() - kWallFoot.y());
-  return join(cup, std::max(strap, wallRadius - profile.x()), 4.0);
+  // It stands flat.
+  return std::max(join(cup, std::max(strap, wallRadius - profile.x()), 4.0), -q.z());
 }
 
 }  // namespace vantage::testing

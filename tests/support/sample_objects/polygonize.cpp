@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
+
+#include "geometry/mesh_topology.h"
 
 namespace vantage::testing {
 namespace {
@@ -102,7 +105,63 @@ class Marching {
   Mesh mesh_;
 };
 
+// The longest side of a triangle, and how far the opposite corner is from it.
+struct LongestSide {
+  int k = 0;
+  double height = 0.0;
+};
+
+LongestSide longestSide(const Mesh& mesh, const Triangle& t) {
+  LongestSide side;
+  double longest = 0.0;
+  for (int k = 0; k < 3; ++k) {
+    const double length = (mesh.vertices[t[(k + 1) % 3]] - mesh.vertices[t[k]]).norm();
+    if (length <= longest) continue;
+    longest = length;
+    side.k = k;
+  }
+  side.height = longest > 0.0 ? areaVector(mesh, t).norm() / longest : 0.0;
+  return side;
+}
+
+bool areLinked(const MeshTopology& topology, const Mesh& mesh, std::uint32_t a, std::uint32_t b) {
+  const auto around = topology.trianglesOf(a);
+  return std::any_of(around.begin(), around.end(), [&](std::uint32_t t) {
+    return std::find(mesh.triangles[t].begin(), mesh.triangles[t].end(), b) != mesh.triangles[t].end();
+  });
+}
+
+// One round; triangles that share an edge with one that was changed wait for the next.
+bool flipOnce(Mesh& mesh, double height) {
+  const MeshTopology topology(mesh);
+  std::vector<std::uint8_t> changed(mesh.triangles.size(), 0);
+  bool any = false;
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    const LongestSide side = longestSide(mesh, mesh.triangles[t]);
+    const std::uint32_t other = topology.neighbour(t, side.k);
+    if (side.height > height || changed[t] != 0 || other == kNoIndex || changed[other] != 0) continue;
+    const std::uint32_t a = mesh.triangles[t][side.k];
+    const std::uint32_t b = mesh.triangles[t][(side.k + 1) % 3];
+    const std::uint32_t tip = mesh.triangles[t][(side.k + 2) % 3];
+    std::uint32_t beyond = kNoIndex;
+    for (const std::uint32_t v : mesh.triangles[other])
+      if (v != a && v != b) beyond = v;
+    if (beyond == kNoIndex || areLinked(topology, mesh, tip, beyond)) continue;
+    mesh.triangles[t] = {a, beyond, tip};
+    mesh.triangles[other] = {beyond, b, tip};
+    changed[t] = changed[other] = 1;
+    any = true;
+  }
+  return any;
+}
+
 }  // namespace
+
+void flipFlatTriangles(Mesh& mesh, double height) {
+  constexpr int kMostRounds = 20;
+  for (int round = 0; round < kMostRounds && flipOnce(mesh, height); ++round) {
+  }
+}
 
 Mesh polygonize(const std::function<double(const Vec3&)>& field, const BoundingBox& box, double spacing) {
   return Marching(field, box, spacing).run();
