@@ -4,7 +4,6 @@
 #include <cmath>
 
 namespace vantage {
-
 double lookAhead(const VoidPatch& patch, const Vec3& direction, double breakdownAngle) {
   const Vec3 beyond = (patch.corners[2] + patch.corners[3] - patch.corners[0] - patch.corners[1]).normalized();
   const double phi = std::asin(std::clamp(direction.dot(beyond), -1.0, 1.0));
@@ -18,7 +17,7 @@ void traceVoid(PositionScore& score, const Pose& T_object_scanner, std::span<con
   for (std::size_t p = 0; p < patches.size(); ++p) {
     if (history.answered(p)) continue;
     const Sight s = sight.look(T_object_scanner, patches[p].centre, patches[p].normal);
-    if (s.visibility != Visibility::Seen || !history.attracts(p, s.direction)) continue;
+    if (s.visibility != Visibility::Seen || !history.attracts(p, s.cosine)) continue;
     sum += patches[p].weight * s.cosine * (breakdownAngle ? lookAhead(patches[p], s.direction, *breakdownAngle) : 1.0);
     score.patches.push_back(static_cast<std::uint32_t>(p));
   }

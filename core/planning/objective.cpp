@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "planning/candidate_tracing.h"
 #include "positional_space/objective_sums.h"
 #include "positional_space/positional_image.h"
 
@@ -23,7 +22,7 @@ void addPatches(std::span<const VoidPatch> patches, const PatchHistory& history,
     for (const auto& sighting : image.sightingsOf(p)) {
       const OutwardRay cellRay = images.ray(sighting.cell);
       const Vec3 direction = (cellRay.point - patches[p].centre).normalized();
-      if (!history.attracts(p, direction)) continue;
+      if (!history.attracts(p, static_cast<double>(sighting.confidence))) continue;
       double area = patches[p].weight * static_cast<double>(sighting.confidence);
       if (options.lookAhead) area *= lookAhead(patches[p], direction, options.breakdownAngle);
       for (const int position : images.positionsOf(sighting.cell)) sums[static_cast<std::size_t>(position)] += area;
@@ -70,9 +69,13 @@ std::vector<double> voidObjective(std::span<const VoidPatch> patches, const Patc
   return sums;
 }
 
-std::vector<double> overlapObjective(const Mesh& seen, const RayCaster& obstacles, const ScannerImages& images,
+std::vector<double> overlapObjective(std::span<const SurfaceElement> seen, const RayCaster& obstacles, const ScannerImages& images,
                                      const ObjectiveOptions& options, const Progress& progress) {
-  const auto image = accumulate(sourcesOf(seen), obstacles, images, options.breakdownAngle,
+  std::vector<ObservationSource> sources;
+  sources.reserve(seen.size());
+  for (const SurfaceElement& e : seen)
+    if (!e.normal.isZero()) sources.push_back({e.centre, e.normal, e.area});
+  const auto image = accumulate(sources, obstacles, images, options.breakdownAngle,
                                 accumulation(options, false), progress);
   return intersect(image, images);
 }

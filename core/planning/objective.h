@@ -6,6 +6,7 @@
 #include "base/progress.h"
 #include "geometry/ray_caster.h"
 #include "integration/model.h"
+#include "planning/candidate_tracing.h"
 #include "planning/patch_outlook.h"
 #include "planning/plan.h"
 #include "positional_space/scanner_images.h"
@@ -27,8 +28,8 @@ struct ObjectiveOptions {
                                                 const ScannerImages& images, const ObjectiveOptions& options,
                                                 const Progress& progress);
 
-/// o_s(i) of every position: the confidence-weighted area of the mesh that it would sample again (eq. 3, 5) [mm^2].
-[[nodiscard]] std::vector<double> overlapObjective(const Mesh& seen, const RayCaster& obstacles,
+/// o_s(i) of every position: the confidence-weighted area of the surface that it would sample again (eq. 3, 5) [mm^2].
+[[nodiscard]] std::vector<double> overlapObjective(std::span<const SurfaceElement> seen, const RayCaster& obstacles,
                                                    const ScannerImages& images, const ObjectiveOptions& options,
                                                    const Progress& progress);
 

@@ -26,24 +26,21 @@ EdgeReason reasonFor(Visibility best) {
 
 PatchHistory::PatchHistory(std::span<const VoidPatch> patches, std::span<const View> views, const SightTest& sight,
                            double breakdownAngle, const OutlookOptions& options, const Progress& progress)
-    : mostLooks_(static_cast<std::size_t>(std::max(1, options.mostLooks))),
-      minSpreadCosine_(std::cos(options.lookSpread)),
-      looks_(patches.size()) {
+    : mostLooks_(std::max(1, options.mostLooks)),
+      cosineGain_(options.cosineGain),
+      looks_(patches.size(), 0),
+      bestCosine_(patches.size(), 0.0) {
   const double minCosine = std::cos(std::max(0.0, breakdownAngle - options.clearOfBreakdown));
   parallelChunks(patches.size(), kGrain, progress, [&](std::size_t begin, std::size_t end) {
     for (std::size_t p = begin; p < end; ++p) {
       for (const View& view : views) {
         const Sight s = sight.look(view.T_object_scanner, patches[p].centre, patches[p].normal);
-        if (s.visibility == Visibility::Seen && s.cosine >= minCosine) looks_[p].push_back(s.direction);
+        if (s.visibility != Visibility::Seen) continue;
+        bestCosine_[p] = std::max(bestCosine_[p], s.cosine);
+        looks_[p] += s.cosine >= minCosine;
       }
     }
   });
-}
-
-bool PatchHistory::attracts(std::size_t patch, const Vec3& direction) const {
-  if (answered(patch)) return false;
-  return std::none_of(looks_[patch].begin(), looks_[patch].end(),
-                      [&](const Vec3& look) { return look.dot(direction) > minSpreadCosine_; });
 }
 
 std::vector<PatchOutlook> certify(std::span<const VoidPatch> patches, const PatchHistory& history,
@@ -51,7 +48,7 @@ std::vector<PatchOutlook> certify(std::span<const VoidPatch> patches, const Patc
   std::vector<PatchOutlook> outlook(patches.size());
   parallelChunks(patches.size(), kGrain, progress, [&](std::size_t begin, std::size_t end) {
     for (std::size_t p = begin; p < end; ++p) {
-      outlook[p].looks = static_cast<std::uint8_t>(std::min<std::size_t>(history.looks(p), 255));
+      outlook[p].looks = static_cast<std::uint8_t>(std::min(history.looks(p), 255));
       outlook[p].answered = history.answered(p);
       if (outlook[p].answered) {
         outlook[p].reason = EdgeReason::Answered;

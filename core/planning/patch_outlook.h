@@ -16,27 +16,33 @@ struct OutlookOptions {
   double clearOfBreakdown = radians(6.0);
   /// After so many views that looked without finding surface a patch attracts no more.
   int mostLooks = 2;
-  /// A patch does not attract a view from within this angle of one that looked already [rad].
-  double lookSpread = radians(20.0);
+  /// A patch attracts only views that see it at a cosine larger by this than any view taken so far did.
+  double cosineGain = 0.07;
 };
 
-/// What the views taken so far say about every patch. A patch that a view should have answered and did not stays void
-/// for the record and, after enough looks, stops attracting views, so that termination is certain.
+/// What the views taken so far say about every patch. What one view did not find at a patch, another that sees it no more
+/// squarely will not find either: at a rim that is too steep for every position the patches of one view would otherwise
+/// attract all others. A patch that views should have answered and did not stays void for the record and attracts no
+/// more, so that termination is certain.
 class PatchHistory {
  public:
+  /// @param sight with a breakdown angle so wide that it also tells of views that see a patch too steeply.
   PatchHistory(std::span<const VoidPatch> patches, std::span<const View> views, const SightTest& sight,
                double breakdownAngle, const OutlookOptions& options, const Progress& progress);
 
-  [[nodiscard]] bool answered(std::size_t patch) const { return looks_[patch].size() >= mostLooks_; }
-  [[nodiscard]] std::size_t looks(std::size_t patch) const { return looks_[patch].size(); }
+  [[nodiscard]] bool answered(std::size_t patch) const { return looks_[patch] >= mostLooks_; }
+  [[nodiscard]] int looks(std::size_t patch) const { return looks_[patch]; }
 
-  /// Whether the patch attracts a view from that direction (unit, from the patch to the light source).
-  [[nodiscard]] bool attracts(std::size_t patch, const Vec3& direction) const;
+  /// Whether the patch attracts a view that sees it at that cosine between its normal and the ray.
+  [[nodiscard]] bool attracts(std::size_t patch, double cosine) const {
+    return !answered(patch) && cosine > bestCosine_[patch] + cosineGain_;
+  }
 
  private:
-  std::size_t mostLooks_;
-  double minSpreadCosine_;
-  std::vector<std::vector<Vec3>> looks_;  // per patch: directions from which views looked
+  int mostLooks_;
+  double cosineGain_;
+  std::vector<int> looks_;          // per patch: views that looked
+  std::vector<double> bestCosine_;  // per patch: the most squarely that any view has seen it
 };
 
 /// What is known of every patch. With `positions` (all of the workspace, once nothing attracts a view any more) it is the

@@ -14,6 +14,7 @@
 #include "planning/choice.h"
 #include "planning/objective.h"
 #include "registration/motion_information.h"
+#include "planning/void_extent.h"
 #include "void_space/void_patch_builder.h"
 
 namespace vantage {
@@ -23,6 +24,8 @@ namespace {
 constexpr std::size_t kOverlapElements = 2000;
 // Pairs of a registration are not independent: neighbouring samples share errors. So many of them count as one.
 constexpr double kPairsPerObservation = 20.0;
+// Views see patches up to this angle, if only too steeply to sample them [rad].
+constexpr double kGrazingAngle = radians(85.0);
 // Rings of triangles along the border that give no pairs.
 constexpr int kBorderRings = 2;
 
@@ -32,10 +35,11 @@ double meanSpacing(std::span<const View> views) {
   return sum / static_cast<double>(views.size());
 }
 
-// The mesh that stands for the model in tracing.
+// The mesh that stands for the model in tracing: the model itself until it is so large that decimating it pays.
 Mesh planningMesh(const Model& model, const PlannerOptions& options, const Progress& progress) {
+  if (model.mesh.triangles.size() <= options.tracedTriangles) return model.mesh;
   DecimationOptions decimation;
-  decimation.targetTriangles = options.planningTriangles;
+  decimation.targetTriangles = options.tracedTriangles / 2;
   decimation.maxError = options.planningError;
   return decimate(model.mesh, decimation, progress);
 }
@@ -54,9 +58,9 @@ Mesh withoutBorder(const Mesh& mesh) {
   return inner;
 }
 
-// An even choice of the mesh's triangles, each standing for those it leaves out.
-std::vector<SurfaceElement> surfaceElements(const Mesh& mesh) {
-  const std::size_t stride = std::max<std::size_t>(1, mesh.triangles.size() / kOverlapElements);
+// An even choice of about `count` of the mesh's triangles, each standing for those it leaves out.
+std::vector<SurfaceElement> surfaceElements(const Mesh& mesh, std::size_t count) {
+  const std::size_t stride = std::max<std::size_t>(1, mesh.triangles.size() / count);
   std::vector<SurfaceElement> elements;
   for (std::size_t i = stride / 2; i < mesh.triangles.size(); i += stride) {
     const Triangle& t = mesh.triangles[i];
@@ -87,18 +91,21 @@ class Planning {
     const Mesh mesh = planningMesh(input_.model, options_, voidProgress.part(0.5, 0.8));
     const RayCaster obstacles(mesh);
     const SightTest sight(input_.profile, obstacles, sight_);
-    const PatchHistory history(patches, input_.views, sight, input_.profile.breakdownAngle, options_.outlook,
+    SightOptions grazing = sight_;
+    grazing.breakdownAngle = kGrazingAngle;
+    const PatchHistory history(patches, input_.views, SightTest(input_.profile, obstacles, grazing),
+                               input_.profile.breakdownAngle, options_.outlook,
                                voidProgress.part(0.8, 1.0));
 
     const auto voidAreas = voidObjective(patches, history, input_.model, obstacles, input_.images, objective_,
                                          progress.part(0.25, 0.45, "project_void"));
     const Mesh seen = withoutBorder(mesh);
     const auto overlapAreas =
-        overlapObjective(seen, obstacles, input_.images, objective_, progress.part(0.45, 0.75, "project_seen"));
+        overlapObjective(surfaceElements(seen, options_.planningTriangles), obstacles, input_.images, objective_, progress.part(0.45, 0.75, "project_seen"));
     for (std::size_t i = 0; i < voidAreas.size(); ++i) {
       PositionScore score;
       score.position = static_cast<int>(i);
-      score.voidArea = voidAreas[i];
+      score.voidArea = taken(score.position) ? 0.0 : voidAreas[i];
       score.overlapArea = overlapAreas[i];
       plan.scores.push_back(std::move(score));
     }
@@ -107,10 +114,19 @@ class Planning {
   }
 
  private:
+  // A second scan from the same place finds what the first one found.
+  [[nodiscard]] bool taken(int position) const {
+    return std::any_of(input_.views.begin(), input_.views.end(), [&](const View& v) { return v.image->position == position; });
+  }
+
   [[nodiscard]] VoidSurface findVoid(const Progress& progress) const {
     VoidOptions voidOptions;
     voidOptions.breakdownAngle = input_.profile.breakdownAngle;
-    return buildVoidPatches(input_.model, input_.views, voidOptions, progress);
+    VoidSurface surface = buildVoidPatches(input_.model, input_.views, voidOptions, progress);
+    if (!options_.lookAhead) return surface;
+    const auto extents = voidExtents(surface.patches, options_.lookAheadReach * spacing_);
+    for (std::size_t p = 0; p < extents.size(); ++p) surface.patches[p].weight *= extents[p];
+    return surface;
   }
 
   [[nodiscard]] ChoiceOptions rules() const {
@@ -118,8 +134,8 @@ class Planning {
     const double perView = area(input_.model.mesh) / static_cast<double>(input_.views.size());
     rules.leastOverlap = options_.leastOverlap.value_or(
         std::max(options_.overlapShare * perView, options_.overlapSamples * spacing_ * spacing_));
-    rules.terminationThreshold =
-        options_.terminationThreshold.value_or(options_.thresholdEdges * spacing_ * spacing_);
+    rules.terminationThreshold = options_.terminationThreshold.value_or(std::max(
+        options_.thresholdEdges * spacing_ * spacing_, options_.thresholdShare * area(input_.model.mesh)));
     rules.maxPoseSigma = options_.poseSigmaShare * spacing_;
     return rules;
   }
@@ -128,7 +144,7 @@ class Planning {
   void decide(Plan& plan, const Mesh& seen, const PatchHistory& history, const SightTest& sight,
               const Progress& progress) const {
     const ChoiceOptions choiceRules = rules();
-    const auto elements = surfaceElements(seen);
+    const auto elements = surfaceElements(seen, kOverlapElements);
     Choice choice = choose(plan.scores, input_.profile.workspace, input_.current, choiceRules);
     while (choice.outcome == PlanOutcome::Found) {
       const auto next = untracedLeaders(plan.scores, choice, choiceRules);

@@ -24,15 +24,21 @@ struct PlannerOptions {
   double overlapSamples = 300.0;
   /// The overlap must fix the pose to within this share of the sample spacing.
   double poseSigmaShare = 0.2;
-  /// F [mm^2]; unset: the patches of so many boundary edges of one sample spacing seen head-on.
+  /// F [mm^2]; unset: what so many boundary edges of one sample spacing show that are seen head-on, but no less than a
+  /// share of the model's area.
   std::optional<double> terminationThreshold;
-  double thresholdEdges = 30.0;
+  double thresholdEdges = 18.0;
+  double thresholdShare = 0.0006;
   /// Void patches look ahead to the surface behind them. Off: the objective of the paper.
   bool lookAhead = true;
+  /// So far ahead a void patch stands for unseen surface [sample spacings].
+  double lookAheadReach = 2.0;
   /// Positions that positional space ranks highest are judged with the scanner's own rays, this many at a time.
   int tracedPositions = 16;
-  /// Triangles of the mesh that stands for the model as obstacle and as overlap, and how far it may depart [mm].
+  /// Triangles that stand for the model's surface when it is projected into positional space.
   std::size_t planningTriangles = 30000;
+  /// A model of more triangles than this is decimated before rays are traced through it, by no more than the error [mm].
+  std::size_t tracedTriangles = 300000;
   double planningError = 0.1;
   OutlookOptions outlook;
 };

@@ -1,0 +1,69 @@
+#include "planning/void_extent.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <map>
+
+#include "base/errors.h"
+
+namespace vantage {
+namespace {
+
+// Patches face each other when either lies within this angle of where the other points.
+const double kFacingCosine = std::cos(radians(60.0));
+
+using Cell = std::array<std::int64_t, 3>;
+
+Cell cellOf(const Vec3& p, double size) {
+  return {static_cast<std::int64_t>(std::floor(p.x() / size)), static_cast<std::int64_t>(std::floor(p.y() / size)),
+          static_cast<std::int64_t>(std::floor(p.z() / size))};
+}
+
+// Middle of the patch's edge, and the direction in which the patch leaves it.
+struct Front {
+  Vec3 place;
+  Vec3 ahead;
+};
+
+Front frontOf(const VoidPatch& patch) {
+  const Vec3 place = 0.5 * (patch.corners[0] + patch.corners[1]);
+  return {place, (0.5 * (patch.corners[2] + patch.corners[3]) - place).normalized()};
+}
+
+bool facing(const Front& a, const Front& b, double distance) {
+  const Vec3 across = (b.place - a.place) / distance;
+  return across.dot(a.ahead) > kFacingCosine && -across.dot(b.ahead) > kFacingCosine;
+}
+
+}  // namespace
+
+std::vector<double> voidExtents(std::span<const VoidPatch> patches, double reach) {
+  if (!(reach > 0.0)) throw InvalidInput("the reach of void patches is " + std::to_string(reach) + " mm, expected more than 0");
+  const double widest = 2.0 * reach;
+  std::vector<Front> fronts;
+  std::map<Cell, std::vector<std::uint32_t>> cells;
+  for (const VoidPatch& patch : patches) {
+    cells[cellOf(frontOf(patch).place, widest)].push_back(static_cast<std::uint32_t>(fronts.size()));
+    fronts.push_back(frontOf(patch));
+  }
+  std::vector<double> extents;
+  extents.reserve(patches.size());
+  for (const Front& front : fronts) {
+    double width = widest;
+    const Cell middle = cellOf(front.place, widest);
+    for (int k = 0; k < 27; ++k) {
+      const auto cell = cells.find({middle[0] + k % 3 - 1, middle[1] + k / 3 % 3 - 1, middle[2] + k / 9 - 1});
+      if (cell == cells.end()) continue;
+      for (const std::uint32_t other : cell->second) {
+        const double distance = (fronts[other].place - front.place).norm();
+        if (distance > 0.0 && distance < width && facing(front, fronts[other], distance)) width = distance;
+      }
+    }
+    extents.push_back(width / widest);
+  }
+  return extents;
+}
+
+}  // namespace vantage
