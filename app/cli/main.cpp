@@ -21,6 +21,7 @@ int run(int argc, char** argv) {
   app.set_version_flag("--version", "vantage-cli " VANTAGE_VERSION);
   app.require_subcommand(1);
   vantage::addAcquireCommand(app, context);
+  vantage::addImportCommand(app, context);
   vantage::addPlanCommand(app, context);
   vantage::addExportCommand(app, context);
   vantage::addInfoCommand(app, context);

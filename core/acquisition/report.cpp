@@ -2,6 +2,7 @@
 
 #include <sys/resource.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -75,13 +76,16 @@ nlohmann::ordered_json registrationJson(const RegistrationResult& registration) 
           {"pose_sigma_mm", finite(registration.poseSigma)}};
 }
 
-nlohmann::ordered_json voidJson(const Plan& plan) {
+nlohmann::ordered_json voidCountsJson(const VoidSurface& voids) {
   constexpr std::array<const char*, kEdgeClasses> kNames{"outer_jump", "inner_jump", "line_of_sight_jump", "regular", "rim"};
-  std::size_t answered = 0;
-  for (const PatchOutlook& outlook : plan.outlook) answered += outlook.answered;
   Json json;
-  for (std::size_t i = 0; i < kNames.size(); ++i) json[kNames[i]] = plan.voids->counts[i];
-  json["answered"] = answered;
+  for (std::size_t i = 0; i < kNames.size(); ++i) json[kNames[i]] = voids.counts[i];
+  return json;
+}
+
+nlohmann::ordered_json voidJson(const Plan& plan) {
+  Json json = voidCountsJson(*plan.voids);
+  json["answered"] = std::count_if(plan.outlook.begin(), plan.outlook.end(), [](const PatchOutlook& o) { return o.answered; });
   return json;
 }
 

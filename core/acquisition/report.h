@@ -15,7 +15,10 @@ namespace vantage {
 /// A registration result: verdict, figures, and the weak direction.
 [[nodiscard]] nlohmann::ordered_json registrationJson(const RegistrationResult& registration);
 
-/// Void patches by edge class, and how many are answered.
+/// Void patches by edge class.
+[[nodiscard]] nlohmann::ordered_json voidCountsJson(const VoidSurface& voids);
+
+/// The same for a plan, and how many are answered.
 [[nodiscard]] nlohmann::ordered_json voidJson(const Plan& plan);
 
 /// Boundary that is left, by reason.

@@ -1,0 +1,91 @@
+#include <memory>
+#include <optional>
+
+#include "acquisition/import_scans.h"
+#include "acquisition/report.h"
+#include "acquisition/session_file.h"
+#include "base/errors.h"
+#include "cli/command.h"
+#include "cli/text.h"
+#include "io/range_files.h"
+#include "io/scan_poses.h"
+
+namespace vantage {
+namespace {
+
+struct ImportArguments {
+  std::vector<std::string> files;
+  std::string poses;
+  std::string scanner = "generic";
+  std::string session;
+};
+
+// The scans with the poses that the list gives them.
+std::vector<RangeImage> readScans(const ImportArguments& args, const ScannerProfile* profile, const Progress& progress) {
+  std::vector<RangeImage> scans;
+  std::vector<ScanPose> poses;
+  for (const std::string& file : args.files) {
+    progress.checkpoint(static_cast<double>(scans.size()) / static_cast<double>(args.files.size()));
+    if (!args.poses.empty() && poses.empty()) poses = readScanPoses(args.poses, readRangeGrid(file).scale);
+    RangeImage scan = profile != nullptr ? readRangeFile(file, profile->rays) : readRangeFile(file);
+    if (!args.poses.empty()) {
+      const auto pose = findPose(poses, file);
+      if (!pose) throw InvalidInput(args.poses + ": has no pose for " + file);
+      scan.T_object_scanner = *pose;
+    }
+    scans.push_back(std::move(scan));
+  }
+  return scans;
+}
+
+nlohmann::ordered_json importJson(const ImportArguments& args, const ImportResult& result) {
+  nlohmann::ordered_json json{{"session", args.session}, {"scans", nlohmann::ordered_json::array()}};
+  for (std::size_t i = 0; i < args.files.size(); ++i) {
+    const ViewAlignment& a = result.alignment[i];
+    json["scans"].push_back({{"file", args.files[i]}, {"verdict", name(a.verdict)}, {"reason", a.reason}, {"rms_mm", a.rms}, {"inliers", a.inlierShare}});
+  }
+  json["model"] = modelJson(result.state.model->mesh);
+  double length = 0.0;
+  for (const VoidPatch& patch : result.voids.patches) length += patch.width;
+  json["void"] = voidCountsJson(result.voids);
+  json["void"]["length_mm"] = length;
+  return json;
+}
+
+void run(const ImportArguments& args, CommandContext& context) {
+  std::optional<ProfileSource> source;
+  std::unique_ptr<const ScannerProfile> profile;
+  if (args.scanner != "generic") {
+    source = readProfileSource(args.scanner);
+    profile = std::make_unique<const ScannerProfile>(parseProfile(*source));
+  }
+  const Progress progress = context.progress();
+  std::vector<RangeImage> scans = readScans(args, profile.get(), progress.part(0.0, 0.1, "read scans"));
+  const ImportResult result = importScans(std::move(scans), {}, progress.part(0.1, 1.0));
+  SessionFile::create(args.session, source, {}).save(result.state);
+
+  const auto json = importJson(args, result);
+  std::string text;
+  for (const auto& scan : json["scans"])
+    text += scan["file"].get<std::string>() + ": " + scan["verdict"].get<std::string>() + ", " + number(scan["rms_mm"].get<double>(), 3) +
+            " mm, " + scan["reason"].get<std::string>() + "\n";
+  text += "model: " + json["model"]["triangles"].dump() + " triangles, " + json["model"]["boundary_edges"].dump() + " boundary edges, " +
+          json["model"]["non_manifold_edges"].dump() + " non-manifold\nstill void: " + std::to_string(result.voids.patches.size()) +
+          " patches along " + number(json["void"]["length_mm"].get<double>(), 0) + " mm of boundary\nwritten: " + args.session + "\n";
+  context.result(json, text);
+}
+
+}  // namespace
+
+void addImportCommand(CLI::App& app, CommandContext& context) {
+  auto args = std::make_shared<ImportArguments>();
+  CLI::App* command = app.add_subcommand("import", "Register and integrate recorded scans and say what is still void");
+  command->add_option("range", args->files, "PLY range files")->required();
+  command->add_option("--poses", args->poses, "Stanford .conf with a rough pose for every scan");
+  command->add_option("--scanner", args->scanner, "Scanner profile (JSON), or generic for parallel rays along -z")->capture_default_str();
+  command->add_option("--session", args->session, "Session file to write")->required();
+  context.addCommonOptions(*command);
+  command->callback([args, &context] { run(*args, context); });
+}
+
+}  // namespace vantage
