@@ -10,8 +10,10 @@
 namespace vantage {
 namespace {
 
-// A line more inclined to the triangle than this meets it nowhere worth counting.
+// A line more inclined to the triangle than this meets it nowhere worth counting,
 constexpr double kMinCosine = 0.2;
+// and a view that a surface turns away from farther than this has not seen it.
+constexpr double kMinFacing = 0.1;
 
 // What a view says about a vertex.
 struct Opinion {
@@ -28,13 +30,15 @@ class Witness {
         minNormalCosine_(std::cos(options.normalTolerance)) {}
 
   [[nodiscard]] Opinion ask(const Vec3& vertex, const Vec3& vertexNormal, std::optional<GridPosition>& hint) const {
-    const Vec3 p = surface_.T_scanner_object() * vertex;
     const Vec3 normal = surface_.T_scanner_object().linear() * vertexNormal;
+    if (!surface_.mayFace(normal, kMinFacing)) return {};
+    const Vec3 p = surface_.T_scanner_object() * vertex;
     const auto position = hint ? surface_.rays().locate(p, *hint) : surface_.rays().locate(p);
     if (!position) return {};
     hint = position;
     const auto contact = surface_.at(*position);
     if (!contact || normal.dot(surface_.normal(*contact)) < minNormalCosine_) return {};
+    if (-normal.dot(surface_.rays().rayAt(*position).direction) < kMinFacing) return {};
     const Mesh& mesh = surface_.mesh().mesh;
     const Triangle& t = mesh.triangles[contact->triangle];
     const Vec3 plane = triangleNormal(mesh, t);

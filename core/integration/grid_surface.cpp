@@ -48,6 +48,7 @@ GridSurface::GridSurface(const View& view)
     throw InvalidInput("a ray grid of " + std::to_string(largest) + " rays along one side is too large to be integrated");
   fillCells();
   rateVertices();
+  boundRays();
 }
 
 void GridSurface::fillCells() {
@@ -78,6 +79,18 @@ void GridSurface::rateVertices() {
     const double inside = static_cast<double>(rings[mesh_->sample[v]]) / kBorderRings;
     quality_[v] = static_cast<float>(mesh_->confidence[v] * (kBorderQuality + (1.0 - kBorderQuality) * inside));
   }
+}
+
+void GridSurface::boundRays() {
+  Vec3 sum = Vec3::Zero();
+  for (std::size_t i = 0; i < rays().size(); ++i) sum += rays().ray(i).direction;
+  if (sum.isZero()) return;
+  meanRay_ = sum.normalized();
+  double least = 1.0;
+  for (std::size_t i = 0; i < rays().size(); ++i) least = std::min(least, meanRay_.dot(rays().ray(i).direction));
+  // Rays between grid points, and just outside of it, may lie a little farther off.
+  constexpr double kSlack = radians(1.0);
+  rayCone_ = std::acos(std::clamp(least, -1.0, 1.0)) + kSlack;
 }
 
 std::optional<GridContact> GridSurface::at(const GridPosition& position) const {

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -27,6 +29,12 @@ class GridSurface {
   [[nodiscard]] const ViewMesh& mesh() const { return *mesh_; }
   [[nodiscard]] const Pose& T_object_scanner() const { return T_object_scanner_; }
   [[nodiscard]] const Pose& T_scanner_object() const { return T_scanner_object_; }
+
+  /// Whether a surface with this normal (scanner coordinates, unit) can lie within the angle with the given cosine of any
+  /// ray; false spares locating it.
+  [[nodiscard]] bool mayFace(const Vec3& normal, double minCosine) const {
+    return -normal.dot(meanRay_) >= std::cos(std::min(std::acos(minCosine) + rayCone_, kPi));
+  }
 
   /// The triangle of the mesh at a place of the grid; the lower one on an edge.
   [[nodiscard]] std::optional<GridContact> at(const GridPosition& position) const;
@@ -61,6 +69,7 @@ class GridSurface {
  private:
   void fillCells();
   void rateVertices();
+  void boundRays();
 
   std::shared_ptr<const RangeImage> image_;
   std::shared_ptr<const ViewMesh> mesh_;
@@ -69,6 +78,8 @@ class GridSurface {
   std::vector<std::array<std::uint32_t, 2>> cells_;  // by the sample at the cell's lower corner
   std::vector<float> quality_;
   std::int32_t columnSign_ = 1;
+  Vec3 meanRay_ = Vec3::Zero();
+  double rayCone_ = kPi;  // every ray is within this angle of the mean one
 };
 
 /// Steps of the exact plane per grid cell. Coarser than what locating a point leaves undecided, so that samples that

@@ -31,7 +31,7 @@ std::uint32_t nextOnBorder(const ModelEditor& editor, std::uint32_t vertex) {
 std::vector<std::uint32_t> loopAt(const ModelEditor& editor, std::uint32_t vertex, int maxEdges) {
   std::vector<std::uint32_t> loop;
   std::uint32_t at = vertex;
-  if (nextOnBorder(editor, at) == kNoIndex) return loop;
+  if (!editor.onBoundary(vertex)) return loop;
   do {
     loop.push_back(at);
     at = nextOnBorder(editor, at);
@@ -208,7 +208,7 @@ std::size_t closeSmallHoles(ModelEditor& editor, const GridSurface& surface, std
   std::vector<std::uint8_t> tried(editor.vertexCount(), 0);
   std::size_t closed = 0;
   for (std::uint32_t v = 0; v < editor.vertexCount(); ++v) {
-    if (tried[v]) continue;
+    if (tried[v] || !editor.onBoundary(v)) continue;
     const std::vector<std::uint32_t> loop = loopAt(editor, v, options.maxHoleEdges);
     for (const std::uint32_t w : loop) tried[w] = 1;
     if (!loop.empty() && closer.close(loop)) ++closed;

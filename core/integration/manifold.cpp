@@ -1,6 +1,7 @@
 #include "integration/manifold.h"
 
 #include <algorithm>
+#include <numeric>
 #include <vector>
 
 namespace vantage {
@@ -58,10 +59,10 @@ bool isSingleFan(const ModelEditor& editor, std::uint32_t vertex) {
   return walked == count;
 }
 
-std::size_t resolveBowTies(ModelEditor& editor) {
-  std::vector<std::uint32_t> suspects;
+std::size_t resolveBowTies(ModelEditor& editor, std::span<const std::uint32_t> vertices) {
+  std::vector<std::uint32_t> suspects(vertices.begin(), vertices.end());
   for (std::uint32_t v = 0; v < editor.vertexCount(); ++v)
-    if (!isSingleFan(editor, v)) suspects.push_back(v);
+    if (editor.onBoundary(v)) suspects.push_back(v);
   std::size_t removed = 0;
   for (std::size_t i = 0; i < suspects.size(); ++i) {
     if (isSingleFan(editor, suspects[i])) continue;
@@ -83,23 +84,27 @@ std::size_t resolveBowTies(ModelEditor& editor) {
 }
 
 std::size_t removeIslands(ModelEditor& editor, int minTriangles) {
-  std::vector<std::uint8_t> visited(editor.triangleCount(), 0);
-  std::size_t removed = 0;
-  std::vector<std::uint32_t> piece;
+  std::vector<std::uint32_t> parent(editor.vertexCount());
+  std::iota(parent.begin(), parent.end(), 0U);
+  const auto root = [&](std::uint32_t v) {
+    while (parent[v] != v) v = parent[v] = parent[parent[v]];
+    return v;
+  };
   for (std::uint32_t t = 0; t < editor.triangleCount(); ++t) {
-    if (!editor.alive(t) || visited[t]) continue;
-    piece.assign(1, t);
-    visited[t] = 1;
-    for (std::size_t i = 0; i < piece.size(); ++i)
-      for (int k = 0; k < 3; ++k) {
-        const std::uint32_t next = editor.neighbour(piece[i], k);
-        if (next == kNoIndex || visited[next]) continue;
-        visited[next] = 1;
-        piece.push_back(next);
-      }
-    if (piece.size() >= static_cast<std::size_t>(std::max(minTriangles, 0))) continue;
-    for (const std::uint32_t p : piece) editor.removeTriangle(p);
-    removed += piece.size();
+    if (!editor.alive(t)) continue;
+    const Triangle& v = editor.triangle(t);
+    const std::uint32_t a = root(v[0]);
+    parent[root(v[1])] = a;
+    parent[root(v[2])] = a;
+  }
+  std::vector<int> size(editor.vertexCount(), 0);
+  for (std::uint32_t t = 0; t < editor.triangleCount(); ++t)
+    if (editor.alive(t)) ++size[root(editor.triangle(t)[0])];
+  std::size_t removed = 0;
+  for (std::uint32_t t = 0; t < editor.triangleCount(); ++t) {
+    if (!editor.alive(t) || size[root(editor.triangle(t)[0])] >= minTriangles) continue;
+    editor.removeTriangle(t);
+    ++removed;
   }
   return removed;
 }

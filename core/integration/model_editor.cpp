@@ -7,12 +7,24 @@
 #include "base/errors.h"
 
 namespace vantage {
+namespace {
+
+// The finalizer of splitmix64.
+std::uint64_t hashOf(std::uint32_t vertex) {
+  std::uint64_t x = (static_cast<std::uint64_t>(vertex) + 1) * 0x9e3779b97f4a7c15ULL;
+  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9ULL;
+  x = (x ^ (x >> 27)) * 0x94d049bb133111ebULL;
+  return x ^ (x >> 31);
+}
+
+}  // namespace
 
 ModelEditor::ModelEditor(Model model)
     : model_(std::move(model)),
       alive_(model_.mesh.triangles.size(), 1),
       first_(model_.mesh.vertices.size(), kNoIndex),
-      next_(3 * model_.mesh.triangles.size(), kNoIndex) {
+      next_(3 * model_.mesh.triangles.size(), kNoIndex),
+      rim_(model_.mesh.vertices.size(), 0) {
   const std::size_t vertices = model_.mesh.vertices.size();
   if (model_.confidence.size() != vertices || model_.vertexView.size() != vertices ||
       model_.vertexSample.size() != vertices || model_.triangleView.size() != model_.mesh.triangles.size())
@@ -21,10 +33,7 @@ ModelEditor::ModelEditor(Model model)
     const Triangle& v = triangle(t);
     if (std::max({v[0], v[1], v[2]}) >= vertices)
       throw InvalidInput("model: triangle " + std::to_string(t) + " names a vertex that is not there");
-    for (int k = 0; k < 3; ++k)
-      if (v[k] == v[(k + 1) % 3] || triangleAt(v[k], v[(k + 1) % 3]) != kNoIndex)
-        throw InvalidInput("model: triangle " + std::to_string(t) + " repeats a vertex or a directed edge");
-    attach(t);
+    for (std::uint32_t k = 0; k < 3; ++k) attach(3 * t + k);
   }
 }
 
@@ -34,16 +43,6 @@ std::uint32_t ModelEditor::triangleAt(std::uint32_t from, std::uint32_t to) cons
     if (model_.mesh.triangles[following / 3][following % 3] == to) return corner / 3;
   }
   return kNoIndex;
-}
-
-bool ModelEditor::onBoundary(std::uint32_t vertex) const {
-  for (std::uint32_t corner = first_[vertex]; corner != kNoIndex; corner = next_[corner]) {
-    const Triangle& t = triangle(corner / 3);
-    const std::uint32_t after = t[(corner % 3 + 1) % 3];
-    const std::uint32_t before = t[(corner % 3 + 2) % 3];
-    if (triangleAt(after, vertex) == kNoIndex || triangleAt(vertex, before) == kNoIndex) return true;
-  }
-  return false;
 }
 
 std::vector<std::uint32_t> ModelEditor::trianglesOf(std::uint32_t vertex) const {
@@ -58,6 +57,7 @@ std::uint32_t ModelEditor::addVertex(const Vec3& position, float confidence, std
   model_.vertexView.push_back(view);
   model_.vertexSample.push_back(sample);
   first_.push_back(kNoIndex);
+  rim_.push_back(0);
   return vertexCount() - 1;
 }
 
@@ -74,7 +74,7 @@ bool ModelEditor::addTriangle(const Triangle& triangle, std::uint32_t view) {
   model_.triangleView.push_back(view);
   alive_.push_back(1);
   next_.resize(next_.size() + 3, kNoIndex);
-  attach(triangleCount() - 1);
+  for (std::uint32_t k = 0; k < 3; ++k) attach(3 * (triangleCount() - 1) + k);
   return true;
 }
 
@@ -84,18 +84,21 @@ void ModelEditor::removeTriangle(std::uint32_t t) {
   for (std::uint32_t k = 0; k < 3; ++k) detach(3 * t + k);
 }
 
-void ModelEditor::attach(std::uint32_t t) {
-  for (std::uint32_t k = 0; k < 3; ++k) {
-    std::uint32_t& first = first_[triangle(t)[k]];
-    next_[3 * t + k] = first;
-    first = 3 * t + k;
-  }
+void ModelEditor::attach(std::uint32_t corner) {
+  const Triangle& t = triangle(corner / 3);
+  const std::uint32_t vertex = t[corner % 3];
+  next_[corner] = first_[vertex];
+  first_[vertex] = corner;
+  rim_[vertex] += hashOf(t[(corner + 1) % 3]) - hashOf(t[(corner + 2) % 3]);
 }
 
 void ModelEditor::detach(std::uint32_t corner) {
-  std::uint32_t* link = &first_[triangle(corner / 3)[corner % 3]];
+  const Triangle& t = triangle(corner / 3);
+  const std::uint32_t vertex = t[corner % 3];
+  std::uint32_t* link = &first_[vertex];
   while (*link != corner) link = &next_[*link];
   *link = next_[corner];
+  rim_[vertex] -= hashOf(t[(corner + 1) % 3]) - hashOf(t[(corner + 2) % 3]);
 }
 
 Model ModelEditor::take() && {

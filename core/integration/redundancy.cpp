@@ -29,7 +29,7 @@ std::size_t erode(ModelEditor& editor, const Unwanted& unwanted) {
   for (std::uint32_t t = 0; t < count; ++t) {
     if (!editor.alive(t) || !unwanted(t)) continue;
     for (int k = 0; k < 3; ++k)
-      if (editor.neighbour(t, k) == kNoIndex) {
+      if (editor.isBorderEdge(t, k)) {
         queue.push_back(t);
         break;
       }
@@ -190,7 +190,7 @@ ViewCut cutView(const ModelEditor& editor, std::span<const ProjectedVertex> proj
     for (int k = 0; k < 3; ++k) {
       const ProjectedVertex& a = projected[editor.triangle(t)[k]];
       const ProjectedVertex& b = projected[editor.triangle(t)[(k + 1) % 3]];
-      if (a.contact < Contact::Near || b.contact < Contact::Near || editor.neighbour(t, k) != kNoIndex) continue;
+      if (a.contact < Contact::Near || b.contact < Contact::Near || !editor.isBorderEdge(t, k)) continue;
       const PlanePoint low{std::min(a.place.x, b.place.x) - margin, std::min(a.place.y, b.place.y) - margin};
       const PlanePoint high{std::max(a.place.x, b.place.x) + margin, std::max(a.place.y, b.place.y) + margin};
       visitCells(surface.cellsUnder(low, high), [&](int r, int c) {

@@ -37,7 +37,7 @@ class Gap {
       for (int k = 0; k < 3; ++k) {
         const std::uint32_t a = pointOf_[editor_.triangle(t)[k]];
         const std::uint32_t b = pointOf_[editor_.triangle(t)[(k + 1) % 3]];
-        if (a != kNoIndex && b != kNoIndex && editor_.neighbour(t, k) == kNoIndex) constraints.push_back({a, b});
+        if (a != kNoIndex && b != kNoIndex && editor_.isBorderEdge(t, k)) constraints.push_back({a, b});
       }
     }
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 namespace vantage {
@@ -14,13 +15,9 @@ Vec3 unitNormal(const Vec3& a, const Vec3& b, const Vec3& c) {
   return length > 0.0 ? Vec3(n / length) : Vec3(Vec3::Zero());
 }
 
-double smallestAngle(const Vec3& a, const Vec3& b, const Vec3& c) {
-  const auto angle = [](const Vec3& at, const Vec3& p, const Vec3& q) {
-    const Vec3 u = p - at;
-    const Vec3 v = q - at;
-    return std::atan2(u.cross(v).norm(), u.dot(v));
-  };
-  return std::min({angle(a, b, c), angle(b, c, a), angle(c, a, b)});
+double roundness(const Vec3& a, const Vec3& b, const Vec3& c) {
+  const double sides = (b - a).squaredNorm() + (c - b).squaredNorm() + (a - c).squaredNorm();
+  return sides > 0.0 ? 2.0 * std::numbers::sqrt3 * (b - a).cross(c - a).norm() / sides : 0.0;
 }
 
 std::vector<std::uint32_t> neighboursOf(const ModelEditor& editor, std::uint32_t vertex) {
@@ -65,7 +62,7 @@ class EdgeSurgery {
     return true;
   }
 
-  // Replaces edge k of the triangle by the other diagonal, if that makes the smallest angle larger.
+  // Replaces edge k of the triangle by the other diagonal, if that makes the flatter triangle rounder.
   bool flip(std::uint32_t t, int k) {
     const std::uint32_t other = editor_.neighbour(t, k);
     if (other == kNoIndex) return false;
@@ -74,10 +71,10 @@ class EdgeSurgery {
     const std::uint32_t c = editor_.triangle(t)[(k + 2) % 3];
     const Triangle& o = editor_.triangle(other);
     const std::uint32_t d = o[0] != a && o[0] != b ? o[0] : (o[1] != a && o[1] != b ? o[1] : o[2]);
-    const double before = std::min(angleOf({a, b, c}), angleOf({b, a, d}));
+    const double before = std::min(roundnessOf({a, b, c}), roundnessOf({b, a, d}));
     const Triangle first{c, a, d};
     const Triangle second{d, b, c};
-    if (before >= options_.needleAngle || std::min(angleOf(first), angleOf(second)) <= before) return false;
+    if (before >= options_.minRoundness || std::min(roundnessOf(first), roundnessOf(second)) <= before) return false;
     if (editor_.triangleAt(c, d) != kNoIndex || editor_.triangleAt(d, c) != kNoIndex) return false;
     const Vec3 whole = (areaVector(editor_.model().mesh, {a, b, c}) + areaVector(editor_.model().mesh, {b, a, d})).normalized();
     if (normalOf(first).dot(whole) < minTurnCosine_ || normalOf(second).dot(whole) < minTurnCosine_) return false;
@@ -106,8 +103,8 @@ class EdgeSurgery {
   [[nodiscard]] Vec3 normalOf(const Triangle& t) const {
     return unitNormal(editor_.position(t[0]), editor_.position(t[1]), editor_.position(t[2]));
   }
-  [[nodiscard]] double angleOf(const Triangle& t) const {
-    return smallestAngle(editor_.position(t[0]), editor_.position(t[1]), editor_.position(t[2]));
+  [[nodiscard]] double roundnessOf(const Triangle& t) const {
+    return roundness(editor_.position(t[0]), editor_.position(t[1]), editor_.position(t[2]));
   }
 
   ModelEditor& editor_;

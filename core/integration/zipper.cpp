@@ -68,7 +68,7 @@ Integration integrateView(const Model& model, std::span<const View> views, std::
   statistics.removedFromViews = surface.mesh().mesh.triangles.size() - seam.viewTriangles;
   statistics.seam = seam.seamTriangles;
   progress.checkpoint(0.8);
-  statistics.bowTies = resolveBowTies(editor);
+  statistics.bowTies = resolveBowTies(editor, seam.vertices);
   statistics.islands = removeIslands(editor, options.minIslandTriangles);
   statistics.slivers = removeSlivers(editor, seam.vertices, {.shortestEdge = sliverLength(options, surface)});
   statistics.holesClosed = closeSmallHoles(editor, surface, newView, options);
