@@ -6,12 +6,12 @@
 #include <cmath>
 #include <utility>
 
+#include "registration/pair_term.h"
+
 
 namespace vantage {
 namespace {
 
-// A motion counts as measured when its information is this many times what the normals' noise pretends.
-constexpr double kMeasured = 2.0;
 
 // Points move less than this share of the pose's own uncertainty: it has settled.
 constexpr double kSettledShare = 0.1;
@@ -59,64 +59,24 @@ PairGates Aligner::gatesAt(double gate) const {
   return {gate, options_.hiddenDepth, coarse ? options_.coarseAngle : options_.finalAngle};
 }
 
-// One Gauss-Newton step of sum w r^2 / sigma^2 + prior. Rotations are measured by what they do at the points' radius;
-// in the eigenvectors of that matrix, directions without more information than noise pretends are left to the prior.
+// One Gauss-Newton step of sum w r^2 / sigma^2 + prior.
 Aligner::Step Aligner::solve(const Pose& T, std::span<const Pair> pairs, double sigma, double share) const {
-  Vec3 centre = Vec3::Zero();
-  std::size_t count = 0;
-  for (const Pair& pair : pairs) {
-    if (pair.state != PairState::Paired) continue;
-    centre += pair.point;
-    ++count;
-  }
-  centre /= static_cast<double>(std::max<std::size_t>(count, 1));
-
-  MotionSums sums;
-  Vec6 gradient = Vec6::Zero();
-  double spread = 0.0;
-  for (const Pair& pair : pairs) {
-    if (pair.state != PairState::Paired) continue;
-    const double w = pair.weight * robustWeight(pair.distance, 3.0 * sigma);
-    const Vec3 d = T.linear() * (pair.point - centre);
-    const Vec3 n = T.linear() * pair.normal;
-    sums.add(d, n, w);
-    Vec6 j;
-    j << d.cross(n), n;
-    gradient += (w * pair.distance) * j;
-    spread += w * pair.normalSpread;
-  }
-  if (sums.weight <= 0.0) return {};
-  const double radius = std::max(std::sqrt(sums.secondMoment.trace() / sums.weight), 1e-6);
-  // The mean of two normals that differ by d in two directions has variance |d|^2 / 8 in each.
-  const double normalSigma = std::sqrt(spread / sums.weight / 8.0);
-
-  Vec6 scale;
-  scale << Vec3::Constant(1.0 / radius), Vec3::Ones();
-  const Mat6 toMotion = scale.asDiagonal();
-  const Eigen::SelfAdjointEigenSolver<Mat6> solver(Mat6(toMotion * sums.pairs * toMotion));
-  const Mat6 pretended = toMotion * sums.pretended(normalSigma) * toMotion;
-  Step step;
-  Mat6 information = Mat6::Zero();
-  Vec6 pull = Vec6::Zero();
-  const double weight = 1.0 / (sigma * sigma);
-  for (int k = 0; k < 6; ++k) {
-    const Vec6 v = solver.eigenvectors().col(k);
-    if (solver.eigenvalues()[k] < kMeasured * v.dot(pretended * v) || solver.eigenvalues()[k] <= 0.0) {
-      ++step.heldByPrior;
-      continue;
-    }
-    information += weight * solver.eigenvalues()[k] * v * v.transpose();
-    pull += weight * v.dot(toMotion * gradient) * v;
-  }
-
-  const Vec3 centreInObject = T * centre;
-  const Mat6 toPrior = changeOfCentre(centreInObject, prior_.centre) * toMotion;
+  const Extent extent = extentOf(pairs, T);
+  const PairTerm term = pairTerm(pairs, T, extent.centre, extent.radius, sigma);
+  const Mat6 toPrior = changeOfCentre(extent.centre, prior_.centre);
   const Vec6 away = motionVector(T * T_start_.inverse(), prior_.centre);
-  information += toPrior.transpose() * prior_.information * toPrior;
-  pull -= toPrior.transpose() * prior_.information * away;
+  // Rotations are measured by what they do at the pairs' radius.
+  Vec6 scale;
+  scale << Vec3::Constant(1.0 / extent.radius), Vec3::Ones();
+  const Mat6 toMotion = scale.asDiagonal();
+  const Mat6 information = toMotion * (term.information + toPrior.transpose() * prior_.information * toPrior) * toMotion;
+  const Vec6 pull = toMotion * (term.pull - toPrior.transpose() * prior_.information * away);
   const Vec6 y = share * information.ldlt().solve(pull);
-  if (!y.allFinite()) return {};
-  step.motion = motionAbout(centreInObject, toMotion * y);
+
+  Step step;
+  step.heldByPrior = term.leftOut;
+  if (!y.allFinite()) return step;
+  step.motion = motionAbout(extent.centre, toMotion * y);
   step.distance = y.norm();
   const double least = Eigen::SelfAdjointEigenSolver<Mat6>(information, Eigen::EigenvaluesOnly).eigenvalues()[0];
   step.sigma = 1.0 / std::sqrt(std::max(least, 1e-12));

@@ -55,8 +55,10 @@ class Placement {
   }
 
   bool tryToPlace(std::size_t i, const Progress& progress) {
+    IcpOptions icp = options_.icp;
+    icp.finePoints = options_.finePoints;
     const RegistrationResult result =
-        registerView(views_[i].surface, poses[i], RegistrationTarget(union_), options_.icp, progress);
+        registerView(views_[i].surface, poses[i], RegistrationTarget(union_), icp, progress);
     ViewAlignment alignment{result.verdict, result.reason, result.rms, result.inlierShare};
     if (result.verdict == Verdict::Failed) {
       alignments[i] = std::move(alignment);

@@ -12,9 +12,10 @@
 namespace vantage {
 
 struct AlignmentOptions {
-  IcpOptions icp;                        ///< its prior counts for every view
+  IcpOptions icp;                        ///< of every single view; a prior in it counts for all of them
   MultiViewOptions refinement;           ///< of the views that found their place
-  std::size_t pointsPerView = 15000;     ///< of every placed view that the next one is registered against
+  std::size_t pointsPerView = 8000;     ///< of every placed view that the next one is registered against
+  std::size_t finePoints = 15000;       ///< in the place of icp.finePoints: the refinement follows
 };
 
 /// How one view found its place.

@@ -7,6 +7,7 @@
 
 #include "base/errors.h"
 #include "registration/aligner.h"
+#include "registration/pair_term.h"
 #include "registration/rivals.h"
 
 namespace vantage {
@@ -51,25 +52,6 @@ void countPairs(std::span<const Pair> pairs, RegistrationResult& result) {
   if (result.pairs > 0) result.rms = std::sqrt(squares / static_cast<double>(result.pairs));
 }
 
-Stability stabilityOf(const Fit& fit) {
-  std::vector<Vec3> points;
-  std::vector<Vec3> normals;
-  std::vector<double> weights;
-  double spread = 0.0;
-  for (const Pair& pair : fit.pairs) {
-    if (pair.state != PairState::Paired) continue;
-    points.push_back(fit.T_object_scanner * pair.point);
-    normals.push_back(fit.T_object_scanner.linear() * pair.normal);
-    weights.push_back(pair.weight * robustWeight(pair.distance, 3.0 * fit.sigma));
-    spread += pair.normalSpread;
-  }
-  StabilityOptions options;
-  options.noiseSigma = fit.sigma;
-  // See Aligner::solve: the mean of two normals.
-  if (!points.empty()) options.normalSigma = std::sqrt(spread / static_cast<double>(points.size()) / 8.0);
-  return analyseStability(points, normals, weights, options);
-}
-
 // Farthest motion for one sigma of the weakest direction, once the prior has had its say.
 double sigmaWithPrior(const Stability& s, const PosePrior& prior) {
   Vec6 scale;
@@ -112,7 +94,9 @@ RegistrationResult registerView(const ViewSurface& surface, const Pose& T_object
   result.T_object_scanner = fit.T_object_scanner;
   result.iterations = rough.iterations + fit.iterations;
   countPairs(fit.pairs, result);
-  result.stability = stabilityOf(fit);
+  PairStability stability;
+  stability.add(fit.pairs, fit.T_object_scanner);
+  result.stability = stability.analyse(fit.sigma);
   result.poseSigma = sigmaWithPrior(result.stability, prior);
 
   Evidence evidence;

@@ -35,11 +35,11 @@ Mat6 withoutNegativeParts(const Mat6& information) {
   return solver.eigenvectors() * kept.asDiagonal() * solver.eigenvectors().transpose();
 }
 
-double farthestMotion(std::span<const Vec3> points, const Stability& s) {
-  const Vec3 turn = s.weakDirection.head<3>();
-  const Vec3 shift = s.weakDirection.tail<3>();
+double farthestMotion(std::span<const Vec3> points, const Vec3& centre, const Vec6& motion) {
+  const Vec3 turn = motion.head<3>();
+  const Vec3 shift = motion.tail<3>();
   double farthest = points.empty() ? 1.0 : 0.0;
-  for (const Vec3& p : points) farthest = std::max(farthest, (turn.cross(p - s.centre) + shift).norm());
+  for (const Vec3& p : points) farthest = std::max(farthest, (turn.cross(p - centre) + shift).norm());
   return farthest;
 }
 
@@ -105,7 +105,8 @@ Stability analyseStability(std::span<const Vec3> points, std::span<const Vec3> n
   stability.weakDirection = toMotion * weak.direction;
   stability.weakName = weak.name;
   const double least = stability.eigenvalues[0];
-  stability.poseSigma = least > 0.0 ? farthestMotion(points, stability) / std::sqrt(least)
+  const Vec6 weakest = toMotion * solver.eigenvectors().col(0);
+  stability.poseSigma = least > 0.0 ? farthestMotion(points, stability.centre, weakest) / std::sqrt(least)
                                     : std::numeric_limits<double>::infinity();
   return stability;
 }

@@ -1,6 +1,5 @@
 #include "registration/multi_view.h"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <cmath>
@@ -8,6 +7,7 @@
 
 #include "base/errors.h"
 #include "base/parallel.h"
+#include "registration/pair_term.h"
 #include "registration/view_network.h"
 
 namespace vantage {
@@ -16,49 +16,60 @@ namespace {
 constexpr double kLeastSigma = 1e-4;  // [mm]
 constexpr double kPriorAngle = radians(3.0);
 constexpr double kPriorShift = 3.0;  // [mm]
-// See Aligner: a motion counts as measured when its information is this many times what normals' noise pretends.
-constexpr double kMeasured = 2.0;
 // While few points are looked up the poses need not be better than this [mm].
 constexpr double kCoarseTolerance = 0.02;
 
-// What one link says about the motion of one view against the other.
-struct LinkTerm {
-  Mat6 information = Mat6::Zero();
-  Vec6 pull = Vec6::Zero();
-};
+// The sparse normal equations of all poses but the first, which stays.
+class NormalEquations {
+ public:
+  explicit NormalEquations(std::size_t views)
+      : unknowns_(static_cast<Eigen::Index>(6 * (views - 1))), pull_(Eigen::VectorXd::Zero(unknowns_)) {}
 
-// Sums of a link in object coordinates about `centre`; directions that only noise seems to hold are left out.
-LinkTerm termOf(const ViewLink& link, const Pose& T_object_to, const Vec3& centre, double radius, double sigma) {
-  MotionSums sums;
-  Vec6 gradient = Vec6::Zero();
-  double spread = 0.0;
-  for (const Pair& pair : link.pairs) {
-    if (pair.state != PairState::Paired) continue;
-    const double w = pair.weight * robustWeight(pair.distance, 3.0 * sigma);
-    const Vec3 d = T_object_to * pair.point - centre;
-    const Vec3 n = T_object_to.linear() * pair.normal;
-    sums.add(d, n, w);
-    Vec6 j;
-    j << d.cross(n), n;
-    gradient -= (w * pair.distance) * j;
-    spread += w * pair.normalSpread;
+  // The motion of `to` against `from`.
+  void addLink(std::size_t from, std::size_t to, const PairTerm& term) {
+    addBlock(from, from, term.information);
+    addBlock(to, to, term.information);
+    addBlock(from, to, -term.information);
+    addBlock(to, from, -term.information);
+    addPull(from, -term.pull);
+    addPull(to, term.pull);
   }
-  LinkTerm term;
-  if (sums.weight <= 0.0) return term;
-  Vec6 scale;
-  scale << Vec3::Constant(1.0 / radius), Vec3::Ones();
-  const Mat6 toMotion = scale.asDiagonal();
-  const Mat6 toScaled = scale.cwiseInverse().asDiagonal();
-  const Eigen::SelfAdjointEigenSolver<Mat6> solver(Mat6(toMotion * sums.pairs * toMotion));
-  const Mat6 pretended = toMotion * sums.pretended(std::sqrt(spread / sums.weight / 8.0)) * toMotion;
-  for (int k = 0; k < 6; ++k) {
-    const Vec6 v = solver.eigenvectors().col(k);
-    if (solver.eigenvalues()[k] <= kMeasured * v.dot(pretended * v)) continue;
-    term.information += (solver.eigenvalues()[k] / (sigma * sigma)) * (toScaled * v) * (toScaled * v).transpose();
-    term.pull += (v.dot(toMotion * gradient) / (sigma * sigma)) * (toScaled * v);
+
+  void addPrior(std::size_t view, const Mat6& information, const Vec6& pull) {
+    addBlock(view, view, information);
+    addPull(view, pull);
   }
-  return term;
-}
+
+  // The motions of all views, that of the first zero; all zero when there is no solution.
+  [[nodiscard]] std::vector<Vec6> solve() const {
+    std::vector<Vec6> motions(static_cast<std::size_t>(unknowns_ / 6) + 1, Vec6::Zero());
+    Eigen::SparseMatrix<double> system(unknowns_, unknowns_);
+    system.setFromTriplets(entries_.begin(), entries_.end());
+    const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(system);
+    if (solver.info() != Eigen::Success) return motions;
+    const Eigen::VectorXd x = solver.solve(pull_);
+    if (!x.allFinite()) return motions;
+    for (std::size_t i = 1; i < motions.size(); ++i) motions[i] = x.segment<6>(first(i));
+    return motions;
+  }
+
+ private:
+  static Eigen::Index first(std::size_t view) { return static_cast<Eigen::Index>(6 * (view - 1)); }
+
+  void addBlock(std::size_t i, std::size_t j, const Mat6& block) {
+    if (i == 0 || j == 0) return;
+    for (int r = 0; r < 6; ++r)
+      for (int c = 0; c < 6; ++c)
+        entries_.emplace_back(static_cast<int>(first(i)) + r, static_cast<int>(first(j)) + c, block(r, c));
+  }
+  void addPull(std::size_t i, const Vec6& v) {
+    if (i > 0) pull_.segment<6>(first(i)) += v;
+  }
+
+  Eigen::Index unknowns_;
+  std::vector<Eigen::Triplet<double>> entries_;
+  Eigen::VectorXd pull_;
+};
 
 class Refiner {
  public:
@@ -75,12 +86,12 @@ class Refiner {
   MultiViewResult run(const Progress& progress) {
     MultiViewResult result;
     auto rough = findLinks(views_, poses_, gatesAt(options_.coarseGate), options_.minOverlap, options_.coarsePoints,
-                           progress.part(0.0, 0.1));
+                           options_.leastPoints, progress.part(0.0, 0.1));
     result.rmsBefore = errorOf(rough, progress.part(0.1, 0.15));
     std::vector<ViewLink> judges = rough;
     settle(rough, options_.coarseGate, kCoarseTolerance, progress.part(0.15, 0.4), result.iterations);
     auto fine = findLinks(views_, poses_, gatesAt(options_.finalGate), options_.minOverlap, options_.finePoints,
-                          progress.part(0.4, 0.45));
+                          options_.leastPoints, progress.part(0.4, 0.45));
     settle(fine, options_.finalGate, options_.tolerance, progress.part(0.45, 0.95), result.iterations);
     result.rmsAfter = errorOf(judges, progress.part(0.95, 1.0));
     result.improved = result.rmsAfter < result.rmsBefore;
@@ -93,7 +104,8 @@ class Refiner {
     for (const ViewLink& link : fine)
       result.pairs += static_cast<std::size_t>(std::count_if(
           link.pairs.begin(), link.pairs.end(), [](const Pair& p) { return p.state == PairState::Paired; }));
-    for (std::size_t i = 0; i < views_.size(); ++i) result.stability.push_back(stabilityOf(i, fine));
+    const double sigma = std::max(kLeastSigma, deviation(fine));
+    for (std::size_t i = 0; i < views_.size(); ++i) result.stability.push_back(stabilityOf(i, fine, sigma));
     return result;
   }
 
@@ -139,71 +151,32 @@ class Refiner {
 
   // One Gauss-Newton step of all poses but the first; returns how far the farthest view moves [mm].
   double step(const std::vector<ViewLink>& links, double sigma, const Progress& progress) {
-    std::vector<LinkTerm> terms(links.size());
+    std::vector<PairTerm> terms(links.size());
     parallelChunks(links.size(), 1, progress, [&](std::size_t l, std::size_t) {
-      terms[l] = termOf(links[l], poses_[links[l].to], centre_, radius_, sigma);
+      terms[l] = pairTerm(links[l].pairs, poses_[links[l].to], centre_, radius_, sigma);
     });
-    const auto unknowns = static_cast<Eigen::Index>(6 * (views_.size() - 1));
-    std::vector<Eigen::Triplet<double>> entries;
-    Eigen::VectorXd pull = Eigen::VectorXd::Zero(unknowns);
-    auto addBlock = [&](std::size_t i, std::size_t j, const Mat6& block) {
-      if (i == 0 || j == 0) return;
-      for (int r = 0; r < 6; ++r)
-        for (int c = 0; c < 6; ++c)
-          entries.emplace_back(static_cast<int>(6 * (i - 1)) + r, static_cast<int>(6 * (j - 1)) + c, block(r, c));
-    };
-    auto addPull = [&](std::size_t i, const Vec6& v) {
-      if (i > 0) pull.segment<6>(static_cast<Eigen::Index>(6 * (i - 1))) += v;
-    };
-    for (std::size_t l = 0; l < links.size(); ++l) {
-      addBlock(links[l].from, links[l].from, terms[l].information);
-      addBlock(links[l].to, links[l].to, terms[l].information);
-      addBlock(links[l].from, links[l].to, -terms[l].information);
-      addBlock(links[l].to, links[l].from, -terms[l].information);
-      addPull(links[l].from, terms[l].pull);
-      addPull(links[l].to, -terms[l].pull);
-    }
+    NormalEquations equations(views_.size());
+    for (std::size_t l = 0; l < links.size(); ++l) equations.addLink(links[l].from, links[l].to, terms[l]);
     for (std::size_t i = 1; i < views_.size(); ++i) {
       const Mat6 toPrior = changeOfCentre(centre_, priors_[i].centre);
-      addBlock(i, i, informationAbout(priors_[i], centre_));
-      addPull(i, -toPrior.transpose() * priors_[i].information *
-                     motionVector(poses_[i] * start_[i].inverse(), priors_[i].centre));
+      const Vec6 away = motionVector(poses_[i] * start_[i].inverse(), priors_[i].centre);
+      equations.addPrior(i, informationAbout(priors_[i], centre_),
+                         -toPrior.transpose() * priors_[i].information * away);
     }
-    Eigen::SparseMatrix<double> system(unknowns, unknowns);
-    system.setFromTriplets(entries.begin(), entries.end());
-    const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(system);
-    if (solver.info() != Eigen::Success) return 0.0;
-    const Eigen::VectorXd x = solver.solve(pull);
-    if (!x.allFinite()) return 0.0;
-
+    const std::vector<Vec6> motions = equations.solve();
     double farthest = 0.0;
     for (std::size_t i = 1; i < views_.size(); ++i) {
-      const Vec6 motion = x.segment<6>(static_cast<Eigen::Index>(6 * (i - 1)));
-      poses_[i] = motionAbout(centre_, motion) * poses_[i];
-      farthest = std::max(farthest, std::hypot(radius_ * motion.head<3>().norm(), motion.tail<3>().norm()));
+      poses_[i] = motionAbout(centre_, motions[i]) * poses_[i];
+      farthest = std::max(farthest, std::hypot(radius_ * motions[i].head<3>().norm(), motions[i].tail<3>().norm()));
     }
     return farthest;
   }
 
-  Stability stabilityOf(std::size_t view, const std::vector<ViewLink>& links) const {
-    std::vector<Vec3> points;
-    std::vector<Vec3> normals;
-    std::vector<double> weights;
-    double spread = 0.0;
-    StabilityOptions options;
-    options.noiseSigma = std::max(kLeastSigma, deviation(links));
-    for (const ViewLink& link : links) {
-      if (link.from != view && link.to != view) continue;
-      for (const Pair& pair : link.pairs) {
-        if (pair.state != PairState::Paired) continue;
-        points.push_back(poses_[link.to] * pair.point);
-        normals.push_back(poses_[link.to].linear() * pair.normal);
-        weights.push_back(pair.weight);
-        spread += pair.normalSpread;
-      }
-    }
-    if (!points.empty()) options.normalSigma = std::sqrt(spread / static_cast<double>(points.size()) / 8.0);
-    return analyseStability(points, normals, weights, options);
+  [[nodiscard]] Stability stabilityOf(std::size_t view, const std::vector<ViewLink>& links, double sigma) const {
+    PairStability stability;
+    for (const ViewLink& link : links)
+      if (link.from == view || link.to == view) stability.add(link.pairs, poses_[link.to]);
+    return stability.analyse(sigma);
   }
 
   const MultiViewOptions& options_;

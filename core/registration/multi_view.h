@@ -16,8 +16,10 @@ struct MultiViewOptions {
   double maxAngle = radians(35.0);    ///< between the normals of a pair [rad]
   double hiddenDepth = 10.0;          ///< surface farther behind another view's counts as hidden [mm]
   double minOverlap = 0.03;           ///< share of a view's points that must meet another view for the two to be tied
-  std::size_t coarsePoints = 1500;    ///< of every view, until the poses settle
-  std::size_t finePoints = 12000;     ///< of every view, in the last rounds
+  /// Points looked up per round, shared by all pairs of views; each direction of a pair gets at least `leastPoints`.
+  std::size_t coarsePoints = 30000;   ///< until the poses settle
+  std::size_t finePoints = 300000;    ///< in the last rounds
+  std::size_t leastPoints = 500;
   int maxIterations = 40;
   double tolerance = 2e-3;            ///< the poses have settled when points move less than this [mm]
   /// What else is known of the poses, one per view around its pose, or empty: 3 degrees and 3 mm about each view's

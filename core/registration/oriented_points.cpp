@@ -30,7 +30,8 @@ std::vector<std::uint32_t> allIndices(std::size_t size) {
 std::vector<std::uint32_t> thinned(std::vector<std::uint32_t> indices, std::size_t count) {
   if (indices.size() <= count) return indices;
   const std::size_t all = indices.size();
-  std::erase_if(indices, [&](std::uint32_t i) { return Random(kThinningSeed, i).below(all) >= count; });
+  // A stream of its own per size, so that thinning twice does not ask the same hash again.
+  std::erase_if(indices, [&](std::uint32_t i) { return Random(kThinningSeed + all, i).below(all) >= count; });
   return indices;
 }
 

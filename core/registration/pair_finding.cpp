@@ -11,6 +11,8 @@ namespace {
 constexpr std::size_t kGrain = 2048;
 // Points that face away from the ray by less than this cosine are not seen from the scanner.
 constexpr double kFacing = 0.1;
+// A normal this much along the ray of a point nearby faces away from its own ray too: no need to look it up.
+constexpr double kSurelyAway = 0.8;
 // A partner may lie this many gates to the side: steep rays slide along the surface.
 constexpr double kAside = 3.0;
 
@@ -47,12 +49,14 @@ void findPairs(const OrientedPoints& points, std::span<const std::uint32_t> ids,
     std::optional<GridPosition> last;
     for (std::size_t k = begin; k < end; ++k) {
       const std::uint32_t i = ids[k];
-      const Vec3 p = T_scanner_points * points.points[i];
+      pairs[k] = {};
+      const Vec3 normal = T_scanner_points.linear() * points.normals[i];
       if (!positions[k]) positions[k] = last;
+      if (positions[k] && normal.dot(surface.directionAt(*positions[k])) > kSurelyAway) continue;
+      const Vec3 p = T_scanner_points * points.points[i];
       const auto sample = surface.sample(p, positions[k]);
       if (positions[k]) last = positions[k];
-      pairs[k] = sample ? judgePair(p, T_scanner_points.linear() * points.normals[i], points.confidence[i], *sample, gates)
-                        : Pair{};
+      if (sample) pairs[k] = judgePair(p, normal, points.confidence[i], *sample, gates);
     }
   });
 }

@@ -13,6 +13,23 @@ namespace {
 // Points tried to find out whether two views overlap, and fewest that must meet.
 constexpr std::size_t kTried = 300;
 constexpr std::size_t kFewest = 6;
+// Views see a part of each other: this many times the wanted number of points are looked at.
+constexpr std::size_t kLookAt = 3;
+
+// Gives a link about `count` points of its first view that its second one sees.
+void keepSeen(const PreparedView& from, const PreparedView& to, const Pose& T_to_from, const PairGates& gates,
+              std::size_t count, ViewLink& link) {
+  link.ids = thinned(allIndices(from.points.size()), kLookAt * count);
+  link.positions.resize(link.ids.size());
+  link.pairs.resize(link.ids.size());
+  findPairs(from.points, link.ids, T_to_from, to.surface, gates, link.positions, Progress(), link.pairs);
+  std::vector<std::uint32_t> seen;
+  for (std::size_t k = 0; k < link.ids.size(); ++k)
+    if (link.pairs[k].state != PairState::Unseen) seen.push_back(link.ids[k]);
+  link.ids = thinned(std::move(seen), count);
+  link.positions.assign(link.ids.size(), std::nullopt);
+  link.pairs.assign(link.ids.size(), {});
+}
 
 }  // namespace
 
@@ -41,25 +58,27 @@ double overlapShare(const PreparedView& from, const PreparedView& to, const Pose
 
 std::vector<ViewLink> findLinks(std::span<const PreparedView> views, std::span<const Pose> poses,
                                 const PairGates& gates, double minOverlap, std::size_t points,
-                                const Progress& progress) {
+                                std::size_t leastPoints, const Progress& progress) {
   const std::size_t n = views.size();
-  std::vector<double> share(n * n, 0.0);
-  parallelChunks(n * n, 1, progress, [&](std::size_t k, std::size_t) {
+  std::vector<double> overlap(n * n, 0.0);
+  parallelChunks(n * n, 1, progress.part(0.0, 0.5), [&](std::size_t k, std::size_t) {
     const std::size_t i = k / n;
     const std::size_t j = k % n;
-    if (i != j) share[k] = overlapShare(views[i], views[j], poses[j].inverse() * poses[i], gates, kTried);
+    if (i != j) overlap[k] = overlapShare(views[i], views[j], poses[j].inverse() * poses[i], gates, kTried);
   });
   std::vector<ViewLink> links;
   for (std::size_t k = 0; k < n * n; ++k) {
-    if (share[k] < minOverlap || share[k] <= 0.0) continue;
+    if (overlap[k] < minOverlap || overlap[k] <= 0.0) continue;
     ViewLink link;
     link.from = k / n;
     link.to = k % n;
-    link.ids = thinned(allIndices(views[link.from].points.size()), points);
-    link.positions.resize(link.ids.size());
-    link.pairs.resize(link.ids.size());
     links.push_back(std::move(link));
   }
+  const std::size_t share = std::max(leastPoints, points / std::max<std::size_t>(links.size(), 1));
+  parallelChunks(links.size(), 1, progress.part(0.5, 1.0), [&](std::size_t l, std::size_t) {
+    const Pose T_to_from = poses[links[l].to].inverse() * poses[links[l].from];
+    keepSeen(views[links[l].from], views[links[l].to], T_to_from, gates, share, links[l]);
+  });
   return links;
 }
 

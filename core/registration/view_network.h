@@ -33,11 +33,12 @@ struct ViewLink {
 [[nodiscard]] double overlapShare(const PreparedView& from, const PreparedView& to, const Pose& T_to_from,
                                   const PairGates& gates, std::size_t count);
 
-/// Ordered pairs of views that share at least `minOverlap` of the first one's points, with about `points` ids each.
+/// Ordered pairs of views that share at least `minOverlap` of the first one's points, with about `points` ids in all,
+/// evenly shared but at least `leastPoints` each, of points that the second view sees.
 /// @throws Cancelled
 [[nodiscard]] std::vector<ViewLink> findLinks(std::span<const PreparedView> views, std::span<const Pose> poses,
                                               const PairGates& gates, double minOverlap, std::size_t points,
-                                              const Progress& progress);
+                                              std::size_t leastPoints, const Progress& progress);
 
 /// Looks up the points of all links anew. @throws Cancelled
 void findPairs(std::span<const PreparedView> views, std::span<const Pose> poses, const PairGates& gates,

@@ -30,6 +30,11 @@ class ViewSurface {
   /// @param position where to begin in the grid; set to where p was found.
   [[nodiscard]] std::optional<SurfaceSample> sample(const Vec3& p, std::optional<GridPosition>& position) const;
 
+  /// Direction of the ray nearest to a place in the grid.
+  [[nodiscard]] const Vec3& directionAt(const GridPosition& position) const {
+    return rays_->ray(rays_->nearest(position)).direction;
+  }
+
   [[nodiscard]] const ViewMesh& view() const { return *view_; }
   /// The vertices away from the border, scanner coordinates.
   [[nodiscard]] OrientedPoints pointsInside() const;
