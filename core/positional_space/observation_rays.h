@@ -1,25 +1,34 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include "geometry/ray_caster.h"
+#include "positional_space/cell_lookup.h"
 #include "positional_space/positional_image.h"
 #include "positional_space/scanner_images.h"
 
 namespace vantage {
 
-/// An observation ray and the cells of positional space that it is in: `cellCount` numbers of ObservationBatch::cells
-/// from `firstCell` on, all with receivers on the same side of the ray. Its line of sight is that of `nearest`, the
-/// cell among them whose ranging ray it is nearest to.
+/// A cell of positional space that a source meets.
+struct AimedCell {
+  std::uint32_t cell = 0;
+  float front = 0.0F;   ///< [mm] (q - p) . n for the source p and the point q of the surface cell that it is seen through
+  float square = 1.0F;  ///< [mm^2] |q - p|^2
+
+  [[nodiscard]] float confidence() const { return std::min(front / std::sqrt(square), 1.0F); }  ///< c(o)
+};
+
+/// An observation ray and the cells of positional space that it is in: `count` entries of ObservationBatch::cells from
+/// `first` on, all with receivers on the same side of the ray. Its line of sight is that of the first of them, the one
+/// whose ranging ray it is collinear with.
 struct Observation {
   std::uint32_t source = 0;
-  std::uint32_t firstCell = 0;
-  std::uint32_t cellCount = 0;
-  std::uint32_t nearest = 0;
-  float confidence = 0.0F;
+  std::uint32_t first = 0;
+  std::uint32_t count = 0;
 };
 
 /// Observation rays in the order in which they are traced: rays[i] belongs to observations[i]. The direction of a ray
@@ -27,92 +36,112 @@ struct Observation {
 struct ObservationBatch {
   std::vector<OcclusionRay> rays;
   std::vector<Observation> observations;
-  std::vector<std::uint32_t> cells;
+  std::vector<AimedCell> cells;
 
   void clear();
 };
 
-/// Lists the observation rays of sources (see `accumulate`). Made once for many sources; may be used from any thread.
+/// Lists the observation rays of sources (see `accumulate`). Works on one source at a time in buffers of its own: one
+/// per thread.
 class ObservationRays {
  public:
-  /// @param scanner must outlive this.
-  ObservationRays(const ScannerImages& scanner, double breakdownAngle, const AccumulationOptions& options);
+  /// @param scanner, lookup must outlive this.
+  ObservationRays(const ScannerImages& scanner, const CellLookup& lookup, double breakdownAngle,
+                  const AccumulationOptions& options);
 
   /// Appends the observation rays of a source. An observation ray is aimed at the point of the surface cell where it is
   /// collinear with a ranging ray; it counts if it leaves within the breakdown angle there. Without pruning, the rays
   /// through the middles of the other surface cells are appended too, with no cells.
-  void append(const ObservationSource& source, std::uint32_t index, ObservationBatch& batch) const;
+  void append(const ObservationSource& source, std::uint32_t index, ObservationBatch& batch);
 
   /// Surface cells (row-major) whose middle the source sees within the breakdown angle of its normal, ascending.
-  [[nodiscard]] std::vector<std::uint32_t> candidates(const ObservationSource& source) const;
+  [[nodiscard]] std::vector<std::uint32_t> candidates(const ObservationSource& source);
 
  private:
-  // A row of surface cells: they differ by a turn about z only.
-  struct Row {
-    float axial = 0.0F;       // distance of the middles from the axis
-    float z = 0.0F;           // of the middles
-    float normalAxial = 1.0F; // parts of the normal away from and along the axis
-    float normalZ = 0.0F;
-    float halfWidth = 0.0F;
-    float halfHeight = 0.0F;
-    float slack = 0.0F;       // see addRow
+  // What differs between rows of surface cells; the cells of a row differ by a turn about z only.
+  struct Rows {
+    std::vector<float> axial;        // distance of the middles from the axis
+    std::vector<float> z;            // of the middles
+    std::vector<float> normalAxial;  // parts of the normal away from and along the axis
+    std::vector<float> normalZ;
+    std::vector<float> halfWidth;
+    std::vector<float> halfHeight;
+    std::vector<float> taper;
+    std::vector<float> widest;       // half width anywhere
+    std::vector<float> slack;        // by which rays aimed elsewhere in the cell can be nearer to the normal
+    std::vector<float> low;          // bounds of the fans of all of the row's occupied cells
+    std::vector<float> high;
+    std::vector<std::int32_t> reached;  // by the source
   };
-  struct SlopeRange {
-    float low;
-    float high;
+  struct Columns {
+    std::vector<float> cosine;
+    std::vector<float> sine;
+    std::vector<float> along;        // of the source's centre, along the column's direction
+    std::vector<float> aside;        // and sideways
+    std::vector<float> normalAlong;  // of the source's normal
+    std::vector<std::int32_t> keep;  // candidates of a row
   };
-  // Slopes of the ranging rays that cross an occupied cell's surface cell: an observation ray can be in the occupied
-  // cell when the slopes by which its source sees the surface cell overlap these.
-  struct FanRange {
-    SlopeRange across;
-    SlopeRange up;
+  // Candidates of a row as the source sees them: their middles in the cell's frame, the slopes to their sides and the
+  // steps of those in the lookup.
+  struct Views {
+    std::vector<float> ahead, across, up;
+    std::vector<float> low, high, lowUp, highUp;
+    std::vector<std::int32_t> firstStep, lastStep;
   };
-  // The occupied cells of a surface cell are listed by steps of their slopes, `up` first.
-  struct Lookup {
-    int firstUp;  // steps of `up` in use
-    int lastUp;
-    float margin; // half the widest fan range of `up`
-    std::uint32_t start;  // of its steps in lookup_
+  struct Source {
+    float px, py, pz;
+    float nx, ny, nz;
+    float ox, oy, oz;   // where its rays begin
+    float axial;        // distance of the centre from the axis
+    float normalAxial;  // part of the normal away from the axis
+    float inward;       // centre . normal in the horizontal plane
+    std::uint32_t index;
+  };
+  // Where in a surface cell an observation ray is collinear with the ranging ray of an occupied cell.
+  struct Aim {
+    std::uint32_t cell;
+    std::uint32_t side;
+    float across, up;
+    float x, y, z;
+    float front;
+    float square;
   };
   // Which surface cells are asked for: those whose middle is within the breakdown angle, those of which any point may
   // be, or those among the latter that have occupied cells to match.
   enum class Purpose { Middles, All, Pruned };
-  struct View;
-  struct Candidate;
-  struct Match;
 
-  void addRow(int row);
-  void addFanRanges();
-  void addSlopeRanges();
-  void addLookup();
-  void addSteps(std::uint32_t first, std::uint32_t last);
+  void addRow(std::size_t row);
+  void addColumns();
+  void addRanges();
+  void face(const ObservationSource& source, std::uint32_t index);
+  void markRows(Purpose purpose);
+  void markColumns(std::size_t row, Purpose purpose);
   template <typename Visit>
-  void forCandidates(const View& view, Purpose purpose, const Visit& visit) const;
-  [[nodiscard]] bool reaches(const View& view, std::size_t row, Purpose purpose) const;
-  [[nodiscard]] Candidate candidate(const View& view, std::size_t row, std::size_t column) const;
-  void match(const Candidate& c, std::vector<Match>& matches) const;
-  void matchCell(const Candidate& c, std::uint32_t number, std::vector<Match>& matches) const;
-  void emit(const View& view, const Candidate& c, std::uint32_t source, std::span<const Match> matches,
-            ObservationBatch& batch) const;
+  void forRuns(Purpose purpose, const Visit& visit);
+  void viewRun(std::size_t row, std::size_t begin, std::size_t end);
+  void appendRun(std::size_t row, std::size_t begin, std::size_t end, ObservationBatch& batch);
+  void aimAt(std::size_t row, std::size_t column, std::uint32_t cell);
+  void emitAims(std::size_t column, ObservationBatch& batch);
+  void emitTogether(std::size_t column, std::uint32_t shift, ObservationBatch& batch);
+  void emitMiddle(std::size_t row, std::size_t column, ObservationBatch& batch) const;
+  void emitRay(float x, float y, float z, ObservationBatch& batch) const;
 
   const ScannerImages& scanner_;
+  const CellLookup& lookup_;
   AccumulationOptions options_;
   float minCosine_;
-  float minRange_;
-  float maxRange_;
-  std::size_t columns_;
+  float together_;  // squared angle up to which occupied cells share an observation ray
   std::size_t columnsPerPeriod_;
-  std::vector<Row> rows_;
-  std::vector<float> cosine_;  // per column
-  std::vector<float> sine_;
-  std::vector<float> low_;     // per surface cell
+  Rows rows_;
+  Columns columns_;
+  // Per occupied cell, the squared distances from the surface cell between which a source is in range.
+  std::vector<std::array<float, 2>> range_;
+  std::vector<float> low_;  // per surface cell, bounds of the fans of its occupied cells
   std::vector<float> high_;
-  std::vector<SlopeRange> rowRange_;
-  std::vector<FanRange> fans_;      // per entry of order_
-  std::vector<std::uint32_t> order_;  // occupied cells by surface cell, step of `up`, slope across
-  std::vector<Lookup> lookups_;     // per stored surface cell
-  // Per step of `up` and of `across` where in order_ those cells begin and end whose fan reaches into the step.
-  std::vector<std::array<std::uint32_t, 2>> lookup_;
+  Source source_{};
+  Views views_;
+  std::vector<std::uint32_t> overlapping_;
+  std::vector<Aim> aims_;
 };
 
 }  // namespace vantage

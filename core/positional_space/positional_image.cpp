@@ -28,8 +28,12 @@ struct SourceSighting {
 class Accumulator {
  public:
   Accumulator(std::span<const ObservationSource> sources, const RayCaster& obstacles, const ScannerImages& scanner,
-              const AccumulationOptions& options)
-      : sources_(sources), obstacles_(obstacles), scanner_(scanner), options_(options) {
+              const CellLookup& lookup, double breakdownAngle, const AccumulationOptions& options)
+      : sources_(sources),
+        obstacles_(obstacles),
+        scanner_(scanner),
+        options_(options),
+        rays_(scanner, lookup, breakdownAngle, options) {
     image.sums.assign(scanner.cellCount(), 0);
     const int periods = scanner.data().periods;
     for (int g = 0; g < periods; ++g)
@@ -37,9 +41,9 @@ class Accumulator {
     for (const Vec3& r : scanner.data().receiverPositions) receivers_.push_back(r.cast<float>());
   }
 
-  void add(const ObservationRays& rays, std::size_t begin, std::size_t end) {
+  void add(std::size_t begin, std::size_t end) {
     for (std::size_t s = begin; s < end; ++s) {
-      if (sources_[s].weight > 0.0) rays.append(sources_[s], static_cast<std::uint32_t>(s), batch_);
+      if (sources_[s].weight > 0.0) rays_.append(sources_[s], static_cast<std::uint32_t>(s), batch_);
       if (batch_.rays.size() >= kBatch) flush();
     }
     flush();
@@ -63,7 +67,7 @@ class Accumulator {
     image.observationRays += batch_.rays.size();
     pending_.clear();
     for (std::size_t k = 0; k < batch_.rays.size(); ++k) {
-      if (batch_.rays[k].blocked() || batch_.observations[k].cellCount == 0) continue;
+      if (batch_.rays[k].blocked() || batch_.observations[k].count == 0) continue;
       if (scanner_.triangulates())
         pending_.push_back(batch_.observations[k]);
       else
@@ -97,7 +101,8 @@ class Accumulator {
     const ObservationSource& source = sources_[o.source];
     const std::size_t stored = scanner_.data().cells.size();
     const auto perCell = static_cast<std::size_t>(scanner_.data().receivers);
-    const Eigen::Vector3f receiver = turns_[o.nearest / stored] * receivers_[o.nearest % stored * perCell + r];
+    const std::uint32_t cell = batch_.cells[o.first].cell;
+    const Eigen::Vector3f receiver = turns_[cell / stored] * receivers_[cell % stored * perCell + r];
     const Eigen::Vector3f normal = source.normal.cast<float>();
     const Eigen::Vector3f centre = source.centre.cast<float>();
     if ((receiver - centre).dot(normal) <= 0.0F) return;
@@ -108,11 +113,12 @@ class Accumulator {
   }
 
   void deposit(const Observation& o) {
-    const double value = sources_[o.source].weight * static_cast<double>(o.confidence) / PositionalImage::kUnit;
-    const auto units = static_cast<std::int64_t>(value + 0.5);
-    for (std::uint32_t k = o.firstCell; k < o.firstCell + o.cellCount; ++k) {
-      image.sums[batch_.cells[k]] += units;
-      if (options_.keepSightings) sightings_.push_back({o.source, {batch_.cells[k], o.confidence}});
+    const double scale = sources_[o.source].weight / PositionalImage::kUnit;
+    for (std::uint32_t k = o.first; k < o.first + o.count; ++k) {
+      const std::uint32_t cell = batch_.cells[k].cell;
+      const float confidence = batch_.cells[k].confidence();
+      image.sums[cell] += static_cast<std::int64_t>(scale * static_cast<double>(confidence) + 0.5);
+      if (options_.keepSightings) sightings_.push_back({o.source, {cell, confidence}});
     }
   }
 
@@ -122,6 +128,7 @@ class Accumulator {
   const AccumulationOptions& options_;
   std::vector<Eigen::Matrix3f> turns_;
   std::vector<Eigen::Vector3f> receivers_;
+  ObservationRays rays_;
   ObservationBatch batch_;
   std::vector<Observation> pending_;
   std::vector<OcclusionRay> sight_;
@@ -189,13 +196,14 @@ PositionalImage accumulate(std::span<const ObservationSource> sources, const Ray
                            const ScannerImages& scanner, double breakdownAngle, const AccumulationOptions& options,
                            const Progress& progress) {
   check(sources);
-  const ObservationRays rays(scanner, breakdownAngle, options);
+  const CellLookup lookup(scanner);
   AccumulatorPool pool;
   std::vector<std::vector<SourceSighting>> sightings((sources.size() + kChunk - 1) / kChunk);
   parallelChunks(sources.size(), kChunk, progress, [&](std::size_t begin, std::size_t end) {
-    Accumulator& accumulator =
-        pool.take([&] { return std::make_unique<Accumulator>(sources, obstacles, scanner, options); });
-    accumulator.add(rays, begin, end);
+    Accumulator& accumulator = pool.take([&] {
+      return std::make_unique<Accumulator>(sources, obstacles, scanner, lookup, breakdownAngle, options);
+    });
+    accumulator.add(begin, end);
     sightings[begin / kChunk] = accumulator.takeSightings();
     pool.giveBack(accumulator);
   });

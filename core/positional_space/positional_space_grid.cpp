@@ -36,6 +36,7 @@ SurfaceCell sphereCell(const PositionalSpaceShape& shape, int row, int column) {
   cell.centre = shape.radius * cell.normal + 0.5 * (shape.bottom + shape.top) * Vec3::UnitZ();
   cell.halfWidth = kPi * shape.radius * std::cos(latitude) / shape.columns;
   cell.halfHeight = 0.5 * kPi * shape.radius / shape.rows;
+  cell.taper = std::tan(latitude) / shape.radius;
   return cell;
 }
 

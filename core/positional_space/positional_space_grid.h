@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -26,14 +27,17 @@ struct OutwardRay {
   Vec3 direction = Vec3::UnitX();  ///< unit
 };
 
-/// One cell of the positional space surface (PSS) as a rectangle of its tangent plane.
+/// One cell of the positional space surface (PSS) as a rectangle (cylinder) or a trapezoid (sphere) of its tangent plane.
 struct SurfaceCell {
   Vec3 centre = Vec3::Zero();
   Vec3 normal = Vec3::UnitX();  ///< unit, outward
   Vec3 across = Vec3::UnitY();  ///< unit, along a row, counter-clockwise
   Vec3 up = Vec3::UnitZ();      ///< unit, along a column
-  double halfWidth = 0.0;       ///< [mm] along across
+  double halfWidth = 0.0;       ///< [mm] along across, at the middle
   double halfHeight = 0.0;      ///< [mm] along up
+  double taper = 0.0;           ///< [1/mm] at the height u above the middle it is halfWidth * (1 - taper * u) wide
+
+  [[nodiscard]] double widest() const { return halfWidth * (1.0 + std::abs(taper) * halfHeight); }  ///< [mm] half
 };
 
 /// Where positional space lies and how it is divided.

@@ -68,7 +68,8 @@ std::vector<std::uint32_t> grown(const PositionalSpaceGrid& grid, const Observat
 TEST(ObservationRays, CandidatesAreThoseGrownFromTheCellThatTheNormalHits) {
   for (const ScannerProfile& profile : {testing::rotatingStripe(), testing::tiltedPinhole("20, 70")}) {
     const ScannerImages images = computeScannerImages(profile);
-    const ObservationRays rays(images, kBreakdown, {});
+    const CellLookup lookup(images);
+    ObservationRays rays(images, lookup, kBreakdown, {});
     int compared = 0;
     for (const ObservationSource& source : testing::scatteredSources(300)) {
       if (!images.grid().project(OutwardRay{source.centre, source.normal})) continue;

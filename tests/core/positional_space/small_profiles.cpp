@@ -68,14 +68,15 @@ std::vector<ScannerProfile> everyKind() {
   return {rotatingStripe(), linearStripe(), pinhole(), rayTable(), tiltedPinhole("0, 25"), tiltedPinhole("20, 70")};
 }
 
-std::vector<ObservationSource> scatteredSources(int count) {
+std::vector<ObservationSource> scatteredSources(int count, double radius, double halfHeight) {
   std::vector<ObservationSource> sources;
   for (int i = 0; i < count; ++i) {
     Random random(11, static_cast<std::uint64_t>(i));
     const double angle = 2.0 * kPi * random.uniform();
-    const double radius = 110.0 * std::sqrt(random.uniform());
+    const double axial = radius * std::sqrt(random.uniform());
     ObservationSource source;
-    source.centre = Vec3(radius * std::cos(angle), radius * std::sin(angle), 60.0 + 180.0 * random.uniform());
+    source.centre = Vec3(axial * std::cos(angle), axial * std::sin(angle),
+                         150.0 + halfHeight * (2.0 * random.uniform() - 1.0));
     source.normal = Vec3(random.normal(), random.normal(), 0.5 * random.normal()).normalized();
     source.weight = 0.5 + random.uniform();
     sources.push_back(source);

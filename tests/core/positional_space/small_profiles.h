@@ -20,7 +20,8 @@ namespace vantage::testing {
 /// One of every kind.
 [[nodiscard]] std::vector<ScannerProfile> everyKind();
 
-/// Sources spread over the volume, with all kinds of normals.
-[[nodiscard]] std::vector<ObservationSource> scatteredSources(int count);
+/// Sources spread over a cylinder about the middle of the volume [mm], with all kinds of normals.
+[[nodiscard]] std::vector<ObservationSource> scatteredSources(int count, double radius = 110.0,
+                                                              double halfHeight = 90.0);
 
 }  // namespace vantage::testing

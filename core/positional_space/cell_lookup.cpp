@@ -1,0 +1,85 @@
+#include "positional_space/cell_lookup.h"
+
+#include <numeric>
+
+namespace vantage {
+namespace {
+
+// Slopes beyond any that a cell can have.
+constexpr float kAnySlope = 1e9F;
+
+}  // namespace
+
+CellLookup::CellLookup(const ScannerImages& scanner) {
+  const ScannerImages::Data& data = scanner.data();
+  const int columns = data.shape.columns / data.periods;
+  order_.resize(data.cells.size());
+  std::iota(order_.begin(), order_.end(), 0U);
+  fans_.reserve(order_.size());
+  for (std::size_t s = 0; s + 1 < data.surfaceStart.size(); ++s) {
+    const std::uint32_t begin = data.surfaceStart[s];
+    const std::uint32_t end = data.surfaceStart[s + 1];
+    std::stable_sort(order_.begin() + begin, order_.begin() + end, [&](std::uint32_t a, std::uint32_t b) {
+      return stepOf(data.cells[a].slope[1], kStepsUp) < stepOf(data.cells[b].slope[1], kStepsUp);
+    });
+    const auto& surface = scanner.grid().surfaceCell(static_cast<int>(s) / columns, static_cast<int>(s) % columns);
+    for (std::uint32_t k = begin; k < end; ++k) addFan(surface, data.cells[order_[k]]);
+    addList(data, begin, end);
+  }
+}
+
+void CellLookup::addFan(const SurfaceCell& surface, const OccupiedCell& cell) {
+  const auto width = static_cast<float>(surface.widest());
+  const auto height = static_cast<float>(surface.halfHeight);
+  const float across = std::abs(cell.fan[0]) * width + std::abs(cell.fan[1]) * height;
+  const float up = std::abs(cell.fan[2]) * width + std::abs(cell.fan[3]) * height;
+  fans_.push_back({{cell.slope[0] - across, cell.slope[0] + across}, {cell.slope[1] - up, cell.slope[1] + up}});
+}
+
+void CellLookup::addList(const ScannerImages::Data& data, std::uint32_t begin, std::uint32_t end) {
+  List list;
+  list.start = steps_.size();
+  longest_ = std::max<std::size_t>(longest_, end - begin);
+  list.all = {kAnySlope, -kAnySlope};
+  auto stepUp = [&](std::uint32_t k) { return stepOf(data.cells[order_[k]].slope[1], kStepsUp); };
+  for (std::uint32_t k = begin; k < end; ++k) {
+    list.all.low = std::min(list.all.low, fans_[k].up.low);
+    list.all.high = std::max(list.all.high, fans_[k].up.high);
+    list.margin = std::max(list.margin, 0.5F * (fans_[k].up.high - fans_[k].up.low));
+  }
+  if (begin < end) {
+    list.firstUp = stepUp(begin);
+    list.lastUp = stepUp(end - 1);
+  }
+  std::uint32_t first = begin;
+  for (int step = list.firstUp; step <= list.lastUp; ++step) {
+    std::uint32_t last = first;
+    while (last < end && stepUp(last) == step) ++last;
+    addSteps(first, last);
+    first = last;
+  }
+  lists_.push_back(list);
+}
+
+// For each step across, the smallest range of [first, last) with all cells whose fan reaches into it.
+void CellLookup::addSteps(std::uint32_t first, std::uint32_t last) {
+  const std::size_t start = steps_.size();
+  steps_.resize(start + kStepsAcross, {last, first});
+  for (std::uint32_t k = first; k < last; ++k) {
+    const int lowest = stepOf(fans_[k].across.low, kStepsAcross);
+    const int highest = stepOf(fans_[k].across.high, kStepsAcross);
+    for (int step = lowest; step <= highest; ++step) {
+      auto& range = steps_[start + static_cast<std::size_t>(step)];
+      range[0] = std::min(range[0], k);
+      range[1] = std::max(range[1], k + 1);
+    }
+  }
+  // From a step to a later one, the range runs from the beginning of the one to the end of the other, even if one of
+  // them has no cells.
+  for (std::size_t step = 1; step < kStepsAcross; ++step)
+    steps_[start + step][1] = std::max(steps_[start + step][1], steps_[start + step - 1][1]);
+  for (std::size_t step = kStepsAcross - 1; step-- > 0;)
+    steps_[start + step][0] = std::min(steps_[start + step][0], steps_[start + step + 1][0]);
+}
+
+}  // namespace vantage
