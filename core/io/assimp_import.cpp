@@ -1,5 +1,6 @@
 #include "io/assimp_import.h"
 
+#include <assimp/config.h>
 #include <assimp/scene.h>
 
 #include <algorithm>
@@ -55,6 +56,8 @@ void sendVector(const ChildSend& send, const std::vector<T>& values) {
 // In the child: one byte 1 and the soup, or one byte 0 and a message.
 void importAndSend(const std::string& path, const ChildSend& send) {
   Assimp::Importer importer;
+  // Axes stay as they are in the file.
+  importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);
   const aiScene* scene = importer.ReadFile(path, 0);
   const char ok = scene != nullptr && scene->mRootNode != nullptr ? 1 : 0;
   if (ok == 0) {
@@ -103,7 +106,8 @@ bool isConsistent(const PolygonSoup& soup) {
 // What assimp said, as one line that can be shown.
 std::string printable(std::string_view message) {
   std::string text;
-  for (const char c : message.substr(0, 200)) text += static_cast<unsigned char>(c) < 0x20 || static_cast<unsigned char>(c) > 0x7e ? ' ' : c;
+  for (const char c : message.substr(0, 200))
+    text += static_cast<unsigned char>(c) < 0x20 || static_cast<unsigned char>(c) > 0x7e ? ' ' : c;
   return text.empty() ? "no reason given" : text;
 }
 
@@ -116,7 +120,10 @@ PolygonSoup importWithAssimp(const std::string& path, const Progress& progress) 
   limits.wallSeconds = 3.0 * limits.cpuSeconds;
   limits.memoryBytes = std::max<std::uintmax_t>(1024 * kMegabyte, 24 * size);
   const ChildResult result = runInChild([&](const ChildSend& send) { importAndSend(path, send); }, limits, progress);
-  if (result.end == ChildEnd::Crashed) throw InvalidInput(path + ": is damaged: the mesh importer crashed on it");
+  if (result.end == ChildEnd::Crashed)
+    throw InvalidInput(
+        path +
+        ": cannot be read: the mesh importer crashed on it, so it is damaged or has features that are not supported");
   if (result.end == ChildEnd::OutOfTime)
     throw InvalidInput(path + ": is damaged or too complex: the mesh importer was stopped after " +
                        std::to_string(static_cast<int>(limits.cpuSeconds)) + " s");

@@ -7,9 +7,9 @@
 
 namespace vantage {
 
-/// Reads a mesh in any of assimp's formats, all objects of its scene in place. assimp runs in a child process with limits of time and memory,
-/// because some of its readers crash or do not end on damaged files: 1 GiB or 24 times the file's size, 3 s of
-/// CPU time and 1 s per MiB, three times that by the clock.
+/// Reads a mesh in any of assimp's formats, all objects of its scene in place. assimp runs in a child process with
+/// limits of time and memory, because some of its readers crash or do not end on damaged files: 1 GiB or 24 times the
+/// file's size, 3 s of CPU time and 1 s per MiB, three times that by the clock.
 /// @throws InvalidInput naming the file and what assimp said, or that it crashed, took too long or too much memory
 /// @throws IoError when no child process can be made
 /// @throws Cancelled

@@ -38,7 +38,9 @@ AtomicFile::AtomicFile(std::string path) : path_(std::move(path)), buffer_(kBuff
   if (descriptor_ < 0) throw IoError(path_, std::string("cannot be opened for writing: ") + std::strerror(errno));
 }
 
-AtomicFile::~AtomicFile() { discard(); }
+AtomicFile::~AtomicFile() {
+  discard();
+}
 
 char* AtomicFile::grow(std::size_t bytes) {
   if (used_ + bytes > buffer_.size()) flush();

@@ -127,7 +127,8 @@ class Child {
 
 }  // namespace
 
-ChildResult runInChild(const std::function<void(const ChildSend&)>& work, const ChildLimits& limits, const Progress& progress) {
+ChildResult runInChild(const std::function<void(const ChildSend&)>& work, const ChildLimits& limits,
+                       const Progress& progress) {
   progress.checkpoint(0.0);
   std::array<int, 2> pipe{};
   if (::pipe2(pipe.data(), O_CLOEXEC) != 0) throw IoError("pipe", std::strerror(errno));

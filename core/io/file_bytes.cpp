@@ -63,7 +63,8 @@ FileBytes::FileBytes(std::string path, std::uintmax_t limit)
     : path_(std::move(path)), size_(checkedFileSize(path_, limit)), data_(new char[size_]) {
   const std::size_t got = OpenFile(path_).read(data_.get(), size_);
   if (got != size_)
-    throw IoError(path_, "shrank while it was read: " + std::to_string(got) + " of " + std::to_string(size_) + " bytes");
+    throw IoError(path_,
+                  "shrank while it was read: " + std::to_string(got) + " of " + std::to_string(size_) + " bytes");
 }
 
 std::string readHead(const std::string& path, std::size_t count) {

@@ -35,8 +35,8 @@ class FileBytes {
 /// @throws IoError as FileBytes.
 [[nodiscard]] std::string readHead(const std::string& path, std::size_t count);
 
-/// A file of text in UTF-16, told by its byte order mark, as bytes of which only ASCII is kept ('?' for the rest); nothing
-/// when the bytes carry no such mark.
+/// A file of text in UTF-16, told by its byte order mark, as bytes of which only ASCII is kept ('?' for the rest);
+/// nothing when the bytes carry no such mark.
 [[nodiscard]] std::string asciiFromUtf16(std::string_view bytes);
 
 }  // namespace vantage

@@ -17,10 +17,18 @@
 namespace vantage {
 namespace {
 
-void add(FileInfo& info, const std::string& key, std::size_t count) { info.facts.emplace_back(key, static_cast<std::int64_t>(count)); }
-void add(FileInfo& info, const std::string& key, double value) { info.facts.emplace_back(key, value); }
-void add(FileInfo& info, const std::string& key, std::string text) { info.facts.emplace_back(key, std::move(text)); }
-void add(FileInfo& info, const std::string& key, const Vec3& v) { info.facts.emplace_back(key, std::vector<double>{v.x(), v.y(), v.z()}); }
+void add(FileInfo& info, const std::string& key, std::size_t count) {
+  info.facts.emplace_back(key, static_cast<std::int64_t>(count));
+}
+void add(FileInfo& info, const std::string& key, double value) {
+  info.facts.emplace_back(key, value);
+}
+void add(FileInfo& info, const std::string& key, std::string text) {
+  info.facts.emplace_back(key, std::move(text));
+}
+void add(FileInfo& info, const std::string& key, const Vec3& v) {
+  info.facts.emplace_back(key, std::vector<double>{v.x(), v.y(), v.z()});
+}
 
 void addBox(FileInfo& info, const BoundingBox& box, const std::string& unit) {
   add(info, "extent" + unit, box.size());
@@ -99,7 +107,7 @@ FileInfo describePly(const std::string& path, const Progress& progress) {
   const PlyElement* face = header.find("face");
   if (face == nullptr || face->count == 0) {
     const PolygonSoup soup = readPlySoup(FileBytes(path), progress);
-    if (!soup.points.empty()) return describePoints(soup.points, "ply");
+    if (soup.ends.empty() && !soup.points.empty()) return describePoints(soup.points, "ply");
   }
   return describeMesh(path, progress);
 }
@@ -137,7 +145,8 @@ FileInfo describeProfile(const std::string& path) {
 }  // namespace
 
 std::string nameOf(FileContent content) {
-  constexpr std::array<const char*, 7> kNames{"mesh", "model", "points", "range_image", "scan_poses", "profile", "session"};
+  constexpr std::array<const char*, 7> kNames{"mesh",       "model",   "points", "range_image",
+                                              "scan_poses", "profile", "session"};
   return kNames[static_cast<std::size_t>(content)];
 }
 
@@ -163,14 +172,21 @@ std::string toText(const FactValue& value) {
 
 FileInfo describeFile(const std::string& path, const Progress& progress) {
   switch (detectFileKind(path)) {
-    case FileKind::Ply: return describePly(path, progress);
-    case FileKind::Obj: return describeObj(path, progress);
+    case FileKind::Ply:
+      return describePly(path, progress);
+    case FileKind::Obj:
+      return describeObj(path, progress);
     case FileKind::Stl:
     case FileKind::Off:
-    case FileKind::OtherMesh: return describeMesh(path, progress);
-    case FileKind::ScanPoses: return describePoses(path);
-    case FileKind::Profile: return describeProfile(path);
-    case FileKind::Session: return {FileContent::Session, {}};
+    case FileKind::ThreeMf:
+    case FileKind::OtherMesh:
+      return describeMesh(path, progress);
+    case FileKind::ScanPoses:
+      return describePoses(path);
+    case FileKind::Profile:
+      return describeProfile(path);
+    case FileKind::Session:
+      return {FileContent::Session, {}};
   }
   throw InvalidInput(path + ": is of no known kind");
 }

@@ -30,8 +30,8 @@ struct FileInfo {
 /// A fact as text: numbers with six significant digits, vectors separated by " x ".
 [[nodiscard]] std::string toText(const FactValue& value);
 
-/// Reads a file, whatever it is of the kinds above, as far as it takes to describe and check it. A session is only recognised
-/// by its first bytes.
+/// Reads a file, whatever it is of the kinds above, as far as it takes to describe and check it. A session is only
+/// recognised by its first bytes.
 /// @throws IoError, InvalidInput in one sentence with file, place and expectation for anything else
 /// @throws Cancelled
 [[nodiscard]] FileInfo describeFile(const std::string& path, const Progress& progress = {});

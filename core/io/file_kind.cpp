@@ -24,9 +24,11 @@ void refuseKnownOthers(const std::string& path, std::string_view head, const std
   if (head.starts_with("version https://git-lfs.github.com/"))
     throw InvalidInput(path + ": is a git-lfs pointer, not the file itself: fetch it with 'git lfs pull'");
   if (head.starts_with("ASTM-E57") || extension == "e57")
-    throw InvalidInput(path + ": is an E57 point cloud, which is not supported: export a PLY range file or a mesh instead");
+    throw InvalidInput(path +
+                       ": is an E57 point cloud, which is not supported: export a PLY range file or a mesh instead");
   if (extension == "ptx")
-    throw InvalidInput(path + ": is a PTX point cloud, which is not supported: export a PLY range file or a mesh instead");
+    throw InvalidInput(path +
+                       ": is a PTX point cloud, which is not supported: export a PLY range file or a mesh instead");
 }
 
 }  // namespace
@@ -42,10 +44,12 @@ FileKind detectFileKind(const std::string& path) {
   refuseKnownOthers(path, head, extension);
   if (looksLikePly(head)) return FileKind::Ply;
   if (head.starts_with(std::string_view("SQLite format 3\0", 16))) return FileKind::Session;
-  if (extension == "ply") throw InvalidInput(path + ": begins with " + inQuotes(head) + ", a PLY file begins with the line 'ply'");
+  if (extension == "ply")
+    throw InvalidInput(path + ": begins with " + inQuotes(head) + ", a PLY file begins with the line 'ply'");
   if (extension == "stl") return FileKind::Stl;
   if (extension == "obj") return FileKind::Obj;
   if (extension == "off") return FileKind::Off;
+  if (extension == "3mf") return FileKind::ThreeMf;
   if (extension == "json") return FileKind::Profile;
   const std::string_view word = firstWord(head);
   if (word == "bmesh" || word == "camera" || extension == "conf") return FileKind::ScanPoses;

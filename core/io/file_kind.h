@@ -7,21 +7,23 @@ namespace vantage {
 
 /// What a file is, by its first bytes and its extension; nothing is checked beyond that.
 enum class FileKind {
-  Ply,       ///< mesh, model, points or range image: its header tells
+  Ply,  ///< mesh, model, points or range image: its header tells
   Stl,
   Obj,
   Off,
-  OtherMesh, ///< a format that assimp reads
-  ScanPoses, ///< Stanford .conf
-  Profile,   ///< JSON
-  Session,   ///< SQLite
+  ThreeMf,
+  OtherMesh,  ///< a format that assimp reads
+  ScanPoses,  ///< Stanford .conf
+  Profile,    ///< JSON
+  Session,    ///< SQLite
 };
 
 /// Extension in lower case, without the dot.
 [[nodiscard]] std::string extensionOf(const std::string& path);
 
 /// @throws IoError when the file is missing, a folder, empty or cannot be read
-/// @throws InvalidInput naming the file for a git-lfs pointer, for kinds that are known but not supported (E57, PTX) and for
+/// @throws InvalidInput naming the file for a git-lfs pointer, for kinds that are known but not supported (E57, PTX)
+/// and for
 ///         anything else: an extension that says mesh must not contradict the content
 [[nodiscard]] FileKind detectFileKind(const std::string& path);
 

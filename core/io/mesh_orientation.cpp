@@ -47,7 +47,8 @@ std::vector<Link> linkTriangles(const Mesh& mesh) {
   return links;
 }
 
-// One piece of the surface, grown from its first triangle, and which of its triangles must be turned to agree with that.
+// One piece of the surface, grown from its first triangle, and which of its triangles must be turned to agree with
+// that.
 class Piece {
  public:
   Piece(const Mesh& mesh, const std::vector<Link>& links) : mesh_(mesh), links_(links) {}

@@ -10,7 +10,9 @@
 namespace vantage {
 namespace {
 
-bool isUsable(const Vec3& p) { return p.allFinite() && p.cwiseAbs().maxCoeff() <= kMaxCoordinate; }
+bool isUsable(const Vec3& p) {
+  return p.allFinite() && p.cwiseAbs().maxCoeff() <= kMaxCoordinate;
+}
 
 // The triangles of all polygons that can be surface.
 std::vector<Triangle> cutPolygons(const PolygonSoup& soup, MeshRepair& repair, const Progress& progress) {

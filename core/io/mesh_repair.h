@@ -31,9 +31,10 @@ struct MeshRepair {
 /// No object is larger; such a coordinate is a damaged number.
 inline constexpr double kMaxCoordinate = 1e9;
 
-/// Makes a mesh of what stood in a file: drops polygons that cannot be surface, cuts the others into triangles, makes one
-/// vertex of those at exactly the same place, drops triangles without an area (also in single precision) and repeated
-/// ones, orients the rest (see orientOutward) and leaves out unused vertices. Vertices and triangles keep their order.
+/// Makes a mesh of what stood in a file: drops polygons that cannot be surface, cuts the others into triangles, makes
+/// one vertex of those at exactly the same place, drops triangles without an area (also in single precision) and
+/// repeated ones, orients the rest (see orientOutward) and leaves out unused vertices. Vertices and triangles keep
+/// their order.
 /// @throws Cancelled
 [[nodiscard]] Mesh repairedMesh(PolygonSoup soup, MeshRepair& repair, const Progress& progress = {});
 

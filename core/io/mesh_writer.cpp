@@ -80,7 +80,8 @@ void writeStl(const Surface& surface, AtomicFile& file, const Progress& progress
   std::copy(kText.begin(), kText.end(), header.begin());
   file.write({header.data(), header.size()});
   const std::size_t count = surface.mesh.triangles.size();
-  if (count > std::numeric_limits<std::uint32_t>::max()) throw InvalidInput("an STL file holds at most 4294967295 triangles");
+  if (count > std::numeric_limits<std::uint32_t>::max())
+    throw InvalidInput("an STL file holds at most 4294967295 triangles");
   put(file.grow(4), static_cast<std::uint32_t>(count));
   forRows(count, progress, [&](std::size_t i) {
     const Triangle& t = surface.mesh.triangles[i];
@@ -91,7 +92,9 @@ void writeStl(const Surface& surface, AtomicFile& file, const Progress& progress
   });
 }
 
-char* putText(char* at, std::string_view text) { return std::copy(text.begin(), text.end(), at); }
+char* putText(char* at, std::string_view text) {
+  return std::copy(text.begin(), text.end(), at);
+}
 
 void writeObj(const Surface& surface, AtomicFile& file, const Progress& progress) {
   constexpr std::size_t kMaxLine = 128;
@@ -100,7 +103,8 @@ void writeObj(const Surface& surface, AtomicFile& file, const Progress& progress
   file.write("# millimetres\n");
   forRows(surface.mesh.vertices.size(), progress.part(0.0, 0.5), [&](std::size_t i) {
     char* at = putText(line.data(), "v");
-    for (int k = 0; k < 3; ++k) at = std::to_chars(putText(at, " "), end, static_cast<float>(surface.mesh.vertices[i][k])).ptr;
+    for (int k = 0; k < 3; ++k)
+      at = std::to_chars(putText(at, " "), end, static_cast<float>(surface.mesh.vertices[i][k])).ptr;
     at = putText(at, "\n");
     file.write({line.data(), static_cast<std::size_t>(at - line.data())});
   });
@@ -133,6 +137,8 @@ void exportModel(const Model& model, const std::string& path, const Progress& pr
   exportSurface({model.mesh, &model}, path, progress);
 }
 
-void exportMesh(const Mesh& mesh, const std::string& path, const Progress& progress) { exportSurface({mesh, nullptr}, path, progress); }
+void exportMesh(const Mesh& mesh, const std::string& path, const Progress& progress) {
+  exportSurface({mesh, nullptr}, path, progress);
+}
 
 }  // namespace vantage

@@ -12,8 +12,9 @@ namespace vantage {
 // @throws IoError when it cannot be written (no such folder, disk full, ...)
 // @throws Cancelled
 
-/// Writes a model in the format that the extension names: .ply (binary little endian: vertices float x y z confidence, faces
-/// uchar/int list vertex_indices and int view), .stl (binary) or .obj. Coordinates in single precision, millimetres.
+/// Writes a model in the format that the extension names: .ply (binary little endian: vertices float x y z confidence,
+/// faces uchar/int list vertex_indices and int view), .stl (binary) or .obj. Coordinates in single precision,
+/// millimetres.
 void exportModel(const Model& model, const std::string& path, const Progress& progress = {});
 
 /// Writes a mesh likewise, without confidence and view.

@@ -141,18 +141,21 @@ std::vector<double> scalars(const FileBytes& file, const PlySelection& which) {
   const PlyDocument document = readPlyDocument(file, std::array{which});
   const PlyColumn* column = document.find(which.element, which.property);
   if (column == nullptr || !column->start.empty())
-    throw InvalidInput(file.path() + ": PLY header: the property '" + std::string(which.property) + "' is a list, expected a number");
+    throw InvalidInput(file.path() + ": PLY header: the property '" + std::string(which.property) +
+                       "' is a list, expected a number");
   return column->values;
 }
 
-void readConfidence(const FileBytes& file, const PlyHeader& header, const std::optional<FlatLayout>& layout, Model& model) {
+void readConfidence(const FileBytes& file, const PlyHeader& header, const std::optional<FlatLayout>& layout,
+                    Model& model) {
   const auto offset = offsetOf(*header.find("vertex"), "confidence", PlyType::Float32);
   if (layout && offset) {
     model.confidence.resize(layout->vertexCount);
     for (std::size_t i = 0; i < layout->vertexCount; ++i)
       model.confidence[i] = copyAt<float>(layout->vertices + i * layout->vertexBytes + *offset);
   } else {
-    for (const double value : scalars(file, {"vertex", "confidence"})) model.confidence.push_back(static_cast<float>(value));
+    for (const double value : scalars(file, {"vertex", "confidence"}))
+      model.confidence.push_back(static_cast<float>(value));
   }
   for (std::size_t i = 0; i < model.confidence.size(); ++i)
     if (!(model.confidence[i] >= 0.0F && model.confidence[i] <= 1.0F))

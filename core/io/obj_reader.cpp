@@ -86,7 +86,9 @@ class ObjReader {
     for (std::string_view text = field(); !text.empty() && text[0] != '#'; text = field()) {
       const auto corner = parseCorner(text);
       if (!corner || (corners > 0 && corner->form != form))
-        text_.fail(inQuotes(text) + " is no corner of a face, expected v, v/vt, v//vn or v/vt/vn with indices other than 0, the same for all corners");
+        text_.fail(inQuotes(text) +
+                   " is no corner of a face, expected v, v/vt, v//vn or v/vt/vn with indices other than 0, the same "
+                   "for all corners");
       form = corner->form;
       addCorner(*corner);
       ++corners;
@@ -111,12 +113,13 @@ class ObjReader {
     }
   }
 
-  // Faces that name a texture coordinate or normal beyond those of the file lose their corners too: the file is damaged there.
-  // Exporters that leave all of them out are common and harmless.
+  // Faces that name a texture coordinate or normal beyond those of the file lose their corners too: the file is damaged
+  // there. Exporters that leave all of them out are common and harmless.
   void markMissing() {
     for (std::size_t f = 0; f < highest_.size(); ++f)
       for (std::size_t part = 1; part < 3; ++part)
-        if (attributes_[part] > 0 && highest_[f][part - 1] > attributes_[part]) soup_.corners[soup_.ends[f] - 1] = kNoIndex;
+        if (attributes_[part] > 0 && highest_[f][part - 1] > attributes_[part])
+          soup_.corners[soup_.ends[f] - 1] = kNoIndex;
   }
 
   double size_;

@@ -95,11 +95,13 @@ class OffReader {
   void readFace(std::size_t i, std::size_t count) {
     const auto corners = parseInteger(nextField());
     if (!corners || *corners < 0)
-      text_.fail("face " + std::to_string(i) + " of " + std::to_string(count) + " is missing, expected its number of corners");
+      text_.fail("face " + std::to_string(i) + " of " + std::to_string(count) +
+                 " is missing, expected its number of corners");
     for (std::int64_t k = 0; k < *corners; ++k) {
       const auto index = parseInteger(fieldOnLine());
       if (!index)
-        text_.fail("face " + std::to_string(i) + " has " + std::to_string(k) + " corners, expected " + std::to_string(*corners));
+        text_.fail("face " + std::to_string(i) + " has " + std::to_string(k) + " corners, expected " +
+                   std::to_string(*corners));
       const bool exists = *index >= 0 && static_cast<std::size_t>(*index) < soup_.points.size();
       soup_.corners.push_back(exists ? static_cast<std::uint32_t>(*index) : kNoIndex);
     }
@@ -118,6 +120,8 @@ class OffReader {
 
 }  // namespace
 
-PolygonSoup readOffSoup(const FileBytes& file, const Progress& progress) { return OffReader(file, progress).read(); }
+PolygonSoup readOffSoup(const FileBytes& file, const Progress& progress) {
+  return OffReader(file, progress).read();
+}
 
 }  // namespace vantage

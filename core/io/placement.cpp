@@ -16,10 +16,12 @@ PlacementTransform computePlacement(const Mesh& mesh, Placement placement, const
   double radius = 0.0;
   for (const Vec3& v : mesh.vertices) radius = std::max(radius, (v - foot).head<2>().norm());
   const double height = box.size().z();
-  if (!(std::max(radius, height) > 0.0)) throw InvalidInput("a mesh without extent cannot be fitted into the viewing volume");
+  if (!(std::max(radius, height) > 0.0))
+    throw InvalidInput("a mesh without extent cannot be fitted into the viewing volume");
   constexpr double kFree = std::numeric_limits<double>::infinity();
   PlacementTransform transform;
-  transform.scale = kFittedShare * std::min(radius > 0.0 ? volume.radius / radius : kFree, height > 0.0 ? volume.height / height : kFree);
+  transform.scale = kFittedShare * std::min(radius > 0.0 ? volume.radius / radius : kFree,
+                                            height > 0.0 ? volume.height / height : kFree);
   transform.translation = -transform.scale * foot;
   return transform;
 }

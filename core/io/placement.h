@@ -20,8 +20,8 @@ struct PlacementTransform {
 /// The share of the viewing volume's radius and height that a fitted object takes at most.
 inline constexpr double kFittedShare = 0.9;
 
-/// AsIs: the identity. Fit: the lowest vertex comes to stand on z = 0, the middle of the bounding box on the axis, and the object is made as
-/// large as it can be inside a cylinder of kFittedShare times the volume's radius and height.
+/// AsIs: the identity. Fit: the lowest vertex comes to stand on z = 0, the middle of the bounding box on the axis, and
+/// the object is made as large as it can be inside a cylinder of kFittedShare times the volume's radius and height.
 /// @throws InvalidInput when Fit is asked of a mesh without extent.
 [[nodiscard]] PlacementTransform computePlacement(const Mesh& mesh, Placement placement, const ViewingVolume& volume);
 

@@ -25,14 +25,22 @@ double valueAt(const char* from, bool swapped) {
 
 double valueAt(const char* from, PlyType type, bool swapped) {
   switch (type) {
-    case PlyType::Int8: return valueAt<std::int8_t>(from, swapped);
-    case PlyType::UInt8: return valueAt<std::uint8_t>(from, swapped);
-    case PlyType::Int16: return valueAt<std::int16_t>(from, swapped);
-    case PlyType::UInt16: return valueAt<std::uint16_t>(from, swapped);
-    case PlyType::Int32: return valueAt<std::int32_t>(from, swapped);
-    case PlyType::UInt32: return valueAt<std::uint32_t>(from, swapped);
-    case PlyType::Float32: return valueAt<float>(from, swapped);
-    case PlyType::Float64: break;
+    case PlyType::Int8:
+      return valueAt<std::int8_t>(from, swapped);
+    case PlyType::UInt8:
+      return valueAt<std::uint8_t>(from, swapped);
+    case PlyType::Int16:
+      return valueAt<std::int16_t>(from, swapped);
+    case PlyType::UInt16:
+      return valueAt<std::uint16_t>(from, swapped);
+    case PlyType::Int32:
+      return valueAt<std::int32_t>(from, swapped);
+    case PlyType::UInt32:
+      return valueAt<std::uint32_t>(from, swapped);
+    case PlyType::Float32:
+      return valueAt<float>(from, swapped);
+    case PlyType::Float64:
+      break;
   }
   return valueAt<double>(from, swapped);
 }
@@ -84,7 +92,8 @@ class TextValues {
     if (field.empty())
       text_.fail("the file ends within row " + std::to_string(row) + " of the " + std::to_string(element.count) +
                  " rows of element " + inQuotes(element.name));
-    if (!value || !fits(*value, type)) text_.fail(inQuotes(field) + " is no value of its property in element " + inQuotes(element.name));
+    if (!value || !fits(*value, type))
+      text_.fail(inQuotes(field) + " is no value of its property in element " + inQuotes(element.name));
     return *value;
   }
 
@@ -106,12 +115,14 @@ class TextValues {
     const int bits = 8 * static_cast<int>(sizeOf(type));
     switch (type) {
       case PlyType::Float32:
-      case PlyType::Float64: return true;
+      case PlyType::Float64:
+        return true;
       case PlyType::Int8:
       case PlyType::Int16:
       case PlyType::Int32:
         return value == std::floor(value) && value >= -std::ldexp(1.0, bits - 1) && value < std::ldexp(1.0, bits - 1);
-      default: return value == std::floor(value) && value >= 0.0 && value < std::ldexp(1.0, bits);
+      default:
+        return value == std::floor(value) && value >= 0.0 && value < std::ldexp(1.0, bits);
     }
   }
 
@@ -129,7 +140,8 @@ void readProperty(Values& values, const PlyElement& element, const PlyProperty& 
   }
   const double length = values.next(*property.listCount, element, row);
   if (length < 0.0)
-    values.fail("a list in row " + std::to_string(row) + " of element " + inQuotes(element.name) + " has a negative length");
+    values.fail("a list in row " + std::to_string(row) + " of element " + inQuotes(element.name) +
+                " has a negative length");
   const auto count = static_cast<std::size_t>(length);
   values.need(sizeOf(property.type), count, element, row);
   if (column == nullptr) return values.skip(property.type, count, element, row);
@@ -138,8 +150,8 @@ void readProperty(Values& values, const PlyElement& element, const PlyProperty& 
 }
 
 template <typename Values>
-PlyDocument::Columns readBody(Values values, const PlyHeader& header,
-                                             const std::vector<std::vector<bool>>& wanted, const Progress& progress) {
+PlyDocument::Columns readBody(Values values, const PlyHeader& header, const std::vector<std::vector<bool>>& wanted,
+                              const Progress& progress) {
   PlyDocument::Columns columns(header.elements.size());
   for (std::size_t e = 0; e < header.elements.size(); ++e) {
     const PlyElement& element = header.elements[e];
@@ -151,7 +163,8 @@ PlyDocument::Columns readBody(Values values, const PlyHeader& header,
       if (element.properties[p].isList()) column.start.assign(1, 0);
     }
     for (std::size_t row = 0; row < element.count; ++row) {
-      if (row % kRowsPerCheckpoint == 0) progress.checkpoint(static_cast<double>(row) / static_cast<double>(element.count));
+      if (row % kRowsPerCheckpoint == 0)
+        progress.checkpoint(static_cast<double>(row) / static_cast<double>(element.count));
       for (std::size_t p = 0; p < element.properties.size(); ++p)
         readProperty(values, element, element.properties[p], row, columns[e][p] ? &*columns[e][p] : nullptr);
     }

@@ -17,7 +17,8 @@ struct PlySelection {
   std::string_view property;
 };
 
-/// All values of one property. A scalar has one value per row; row i of a list has the values from start[i] up to start[i + 1].
+/// All values of one property. A scalar has one value per row; row i of a list has the values from start[i] up to
+/// start[i + 1].
 struct PlyColumn {
   std::vector<double> values;
   std::vector<std::size_t> start;  ///< rows + 1 entries for a list, none for a scalar
@@ -40,7 +41,8 @@ class PlyDocument {
   Columns columns_;
 };
 
-/// Reads ascii, little and big endian files. Everything is checked against the size of the file before memory is asked for.
+/// Reads ascii, little and big endian files. Everything is checked against the size of the file before memory is asked
+/// for.
 /// @throws InvalidInput naming file, place and expectation for a broken header, a value that is no number or out of its
 ///         type's range, a negative list length, or rows that end early.
 /// @throws Cancelled

@@ -81,7 +81,8 @@ class HeaderParser {
     } else if (keyword == "property") {
       parseProperty(fields);
     } else {
-      fail(inQuotes(line_) + " is no line of a PLY header, expected comment, obj_info, format, element, property or end_header");
+      fail(inQuotes(line_) +
+           " is no line of a PLY header, expected comment, obj_info, format, element, property or end_header");
     }
   }
 
@@ -108,7 +109,8 @@ class HeaderParser {
     const std::string_view countField = fields.fieldOnLine();
     const auto count = parseInteger(countField);
     if (name.empty() || !count || *count < 0)
-      fail("the element's count is " + inQuotes(countField) + ", expected 'element NAME COUNT' with a count of 0 or more");
+      fail("the element's count is " + inQuotes(countField) +
+           ", expected 'element NAME COUNT' with a count of 0 or more");
     if (header_.find(name) != nullptr) fail("the element " + inQuotes(name) + " is given twice");
     header_.elements.push_back({name, static_cast<std::size_t>(*count), {}});
     expectEnd(fields);
@@ -131,7 +133,8 @@ class HeaderParser {
     if (element.find(property.name) != nullptr)
       fail("the property " + inQuotes(property.name) + " is given twice in the element " + inQuotes(element.name));
     if (element.properties.size() == kMaxProperties)
-      fail("the element " + inQuotes(element.name) + " has more than " + std::to_string(kMaxProperties) + " properties");
+      fail("the element " + inQuotes(element.name) + " has more than " + std::to_string(kMaxProperties) +
+           " properties");
     element.properties.push_back(std::move(property));
     expectEnd(fields);
   }
@@ -153,9 +156,11 @@ class HeaderParser {
     std::size_t needed = 0;
     for (const PlyElement& element : header_.elements) {
       if (element.count == 0) continue;
-      const std::string what = "the element " + inQuotes(element.name) + " with " + std::to_string(element.count) + " rows";
+      const std::string what =
+          "the element " + inQuotes(element.name) + " with " + std::to_string(element.count) + " rows";
       if (element.properties.empty()) throw InvalidInput(path_ + ": " + what + " has no properties");
-      const std::size_t row = header_.format == PlyFormat::Ascii ? 2 * element.properties.size() : element.leastRowBytes();
+      const std::size_t row =
+          header_.format == PlyFormat::Ascii ? 2 * element.properties.size() : element.leastRowBytes();
       if (element.count > (available - needed) / row)
         throw InvalidInput(path_ + ": " + what + " needs at least " + std::to_string(row) + " bytes a row, but only " +
                            std::to_string(available - needed) + " are left: the file is truncated or its header wrong");

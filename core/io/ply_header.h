@@ -38,10 +38,10 @@ struct PlyElement {
 struct PlyHeader {
   PlyFormat format = PlyFormat::Ascii;
   std::vector<PlyElement> elements;
-  std::vector<std::string> objInfo;   ///< the texts of the obj_info lines
+  std::vector<std::string> objInfo;  ///< the texts of the obj_info lines
   std::vector<std::string> comments;
-  std::size_t bodyOffset = 0;         ///< where the first row begins [bytes]
-  std::size_t bodyLine = 0;           ///< and the number of its line
+  std::size_t bodyOffset = 0;  ///< where the first row begins [bytes]
+  std::size_t bodyLine = 0;    ///< and the number of its line
 
   [[nodiscard]] const PlyElement* find(std::string_view element) const;
   /// The value of the line `obj_info key value`.

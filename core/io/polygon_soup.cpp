@@ -6,7 +6,9 @@ namespace {
 constexpr std::size_t kMaxEarCorners = 64;
 
 // Twice the signed area of a, b, c seen from the tip of `normal`.
-double turn(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& normal) { return (b - a).cross(c - a).dot(normal); }
+double turn(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& normal) {
+  return (b - a).cross(c - a).dot(normal);
+}
 
 class EarClipper {
  public:
@@ -35,7 +37,8 @@ class EarClipper {
   std::size_t findEar() const {
     for (std::size_t i = 1; i <= left_.size(); ++i) {
       const std::size_t corner = i % left_.size();
-      if (turn(points_[before(corner)], points_[left_[corner]], points_[after(corner)], normal_) > 0.0 && isFree(corner))
+      if (turn(points_[before(corner)], points_[left_[corner]], points_[after(corner)], normal_) > 0.0 &&
+          isFree(corner))
         return corner;
     }
     return left_.size();

@@ -9,8 +9,8 @@
 
 namespace vantage {
 
-/// What stands in a mesh file before anybody has checked it: points, and polygons over them. Corners may name points that
-/// do not exist (kNoIndex for "none at all").
+/// What stands in a mesh file before anybody has checked it: points, and polygons over them. Corners may name points
+/// that do not exist (kNoIndex for "none at all").
 struct PolygonSoup {
   std::vector<Vec3> points;
   std::vector<std::uint32_t> corners;  ///< of all polygons, one after the other
@@ -23,8 +23,9 @@ struct PolygonSoup {
   }
 };
 
-/// Cuts a polygon of at least three existing points into triangles, appended to `triangles`, that keep its orientation. Up to 64 corners
-/// are cut by clipping ears in the plane of its area vector; a polygon that has no ear left (it crosses itself), or has more corners, becomes a fan.
+/// Cuts a polygon of at least three existing points into triangles, appended to `triangles`, that keep its orientation.
+/// Up to 64 corners are cut by clipping ears in the plane of its area vector; a polygon that has no ear left (it
+/// crosses itself), or has more corners, becomes a fan.
 void triangulatePolygon(std::span<const Vec3> points, std::span<const std::uint32_t> polygon,
                         std::vector<Triangle>& triangles);
 

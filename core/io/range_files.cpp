@@ -20,15 +20,18 @@ constexpr std::size_t kMaxCells = 16'000'000;
 constexpr double kMetresBelow = 10.0;
 constexpr double kMetre = 1000.0;
 
-constexpr std::array<PlySelection, 5> kWanted{
-    {{"vertex", "x"}, {"vertex", "y"}, {"vertex", "z"}, {"range_grid", "vertex_indices"}, {"range_grid", "vertex_index"}}};
+constexpr std::array<PlySelection, 5> kWanted{{{"vertex", "x"},
+                                               {"vertex", "y"},
+                                               {"vertex", "z"},
+                                               {"range_grid", "vertex_indices"},
+                                               {"range_grid", "vertex_index"}}};
 
 int gridSize(const PlyHeader& header, std::string_view key, const std::string& path) {
   const auto text = header.info(key);
   const auto value = text ? parseInteger(*text) : std::nullopt;
   if (!value || *value < 2 || *value > 1'000'000)
-    throw InvalidInput(path + ": PLY header: 'obj_info " + std::string(key) + "' is " + (text ? inQuotes(*text) : "missing") +
-                       ", expected a whole number of at least 2");
+    throw InvalidInput(path + ": PLY header: 'obj_info " + std::string(key) + "' is " +
+                       (text ? inQuotes(*text) : "missing") + ", expected a whole number of at least 2");
   return static_cast<int>(*value);
 }
 
@@ -50,7 +53,9 @@ std::vector<std::uint32_t> readCells(const PlyDocument& document, std::size_t ce
   const PlyColumn* grid = document.find("range_grid", "vertex_indices");
   if (grid == nullptr) grid = document.find("range_grid", "vertex_index");
   if (grid == nullptr || grid->start.empty())
-    throw InvalidInput(path + ": PLY header: has no element 'range_grid' with a list 'vertex_indices': a range image has rows and columns of samples");
+    throw InvalidInput(path +
+                       ": PLY header: has no element 'range_grid' with a list 'vertex_indices': a range image has rows "
+                       "and columns of samples");
   if (grid->start.size() != cells + 1)
     throw InvalidInput(path + ": PLY header: range_grid has " + std::to_string(grid->start.size() - 1) +
                        " entries, expected num_rows x num_cols = " + std::to_string(cells));
@@ -66,7 +71,8 @@ std::vector<std::uint32_t> readCells(const PlyDocument& document, std::size_t ce
   return cell;
 }
 
-double scaleOf(const PlyHeader& header, const std::vector<Vec3>& points, const RangeFileOptions& options, const std::string& path) {
+double scaleOf(const PlyHeader& header, const std::vector<Vec3>& points, const RangeFileOptions& options,
+               const std::string& path) {
   if (options.scale) {
     if (!(*options.scale > 0.0 && std::isfinite(*options.scale)))
       throw InvalidInput(path + ": the scale " + std::to_string(*options.scale) + " mm per unit is not above 0");
@@ -75,7 +81,8 @@ double scaleOf(const PlyHeader& header, const std::vector<Vec3>& points, const R
   if (const auto unit = header.info("unit_mm")) {
     const auto value = parseNumber(*unit);
     if (!value || !(*value > 0.0 && std::isfinite(*value)))
-      throw InvalidInput(path + ": PLY header: 'obj_info unit_mm' is " + inQuotes(*unit) + ", expected a number above 0");
+      throw InvalidInput(path + ": PLY header: 'obj_info unit_mm' is " + inQuotes(*unit) +
+                         ", expected a number above 0");
     return *value;
   }
   BoundingBox box{points.front(), points.front()};
@@ -115,18 +122,21 @@ RangeImage reconstructImage(const SampleGrid& samples, double standoff) {
 RangeGrid readRangeGrid(const std::string& path, const RangeFileOptions& options, const Progress& progress) {
   const PlyDocument document = readPlyDocument(FileBytes(path), kWanted, progress);
   if (document.header().find("range_grid") == nullptr)
-    throw InvalidInput(path + ": PLY header: has no element 'range_grid', expected a range file with rows and columns of samples");
+    throw InvalidInput(
+        path + ": PLY header: has no element 'range_grid', expected a range file with rows and columns of samples");
   RangeGrid grid;
   SampleGrid& samples = grid.samples;
   samples.columns = gridSize(document.header(), "num_cols", path);
   samples.rows = gridSize(document.header(), "num_rows", path);
   const std::size_t cells = static_cast<std::size_t>(samples.rows) * static_cast<std::size_t>(samples.columns);
   if (cells > kMaxCells)
-    throw InvalidInput(path + ": has a grid of " + std::to_string(cells) + " cells, at most " + std::to_string(kMaxCells) + " are supported");
+    throw InvalidInput(path + ": has a grid of " + std::to_string(cells) + " cells, at most " +
+                       std::to_string(kMaxCells) + " are supported");
   samples.points = readPoints(document, path);
   samples.cell = readCells(document, cells, samples.points, path);
   keepUsedPoints(samples);
-  if (samples.points.empty()) throw InvalidInput(path + ": has no samples, expected at least one cell of range_grid with a point");
+  if (samples.points.empty())
+    throw InvalidInput(path + ": has no samples, expected at least one cell of range_grid with a point");
   grid.scale = scaleOf(document.header(), samples.points, options, path);
   for (Vec3& p : samples.points) p *= grid.scale;
   grid.looksAlongZ = document.header().info("rays").value_or("along_z") == "along_z";
@@ -135,8 +145,7 @@ RangeGrid readRangeGrid(const std::string& path, const RangeFileOptions& options
 
 RangeImage readRangeFile(const std::string& path, const RangeFileOptions& options, const Progress& progress) {
   const RangeGrid grid = readRangeGrid(path, options, progress);
-  if (!grid.looksAlongZ)
-    throw InvalidInput(path + ": was not taken along z: it needs the profile of its scanner");
+  if (!grid.looksAlongZ) throw InvalidInput(path + ": was not taken along z: it needs the profile of its scanner");
   return reconstructImage(grid.samples, options.standoff);
 }
 
@@ -145,7 +154,8 @@ RangeImage readRangeFile(const std::string& path, std::shared_ptr<const RayGrid>
   const SampleGrid grid = readRangeGrid(path, options, progress).samples;
   if (grid.rows != rays->rows() || grid.columns != rays->columns())
     throw InvalidInput(path + ": has " + std::to_string(grid.rows) + " x " + std::to_string(grid.columns) +
-                       " samples, expected the scanner's " + std::to_string(rays->rows()) + " x " + std::to_string(rays->columns()));
+                       " samples, expected the scanner's " + std::to_string(rays->rows()) + " x " +
+                       std::to_string(rays->columns()));
   RangeImage image;
   image.range.assign(rays->size(), kNoSample);
   for (std::size_t k = 0; k < rays->size(); ++k) {
@@ -154,9 +164,10 @@ RangeImage readRangeFile(const std::string& path, std::shared_ptr<const RayGrid>
     const double range = offset.dot(rays->ray(k).direction);
     const double aside = (offset - range * rays->ray(k).direction).norm();
     if (range < 0.0 || aside > std::max(1.0, 0.01 * range))
-      throw InvalidInput(path + ": the sample in row " + std::to_string(k / static_cast<std::size_t>(grid.columns)) + ", column " +
-                         std::to_string(k % static_cast<std::size_t>(grid.columns)) + " lies " + std::to_string(aside) +
-                         " mm beside its ranging ray, at most 1 mm or 1 % of the range is allowed: this is another scanner's file");
+      throw InvalidInput(
+          path + ": the sample in row " + std::to_string(k / static_cast<std::size_t>(grid.columns)) + ", column " +
+          std::to_string(k % static_cast<std::size_t>(grid.columns)) + " lies " + std::to_string(aside) +
+          " mm beside its ranging ray, at most 1 mm or 1 % of the range is allowed: this is another scanner's file");
     image.range[k] = static_cast<float>(range);
   }
   image.rays = std::move(rays);

@@ -12,39 +12,43 @@ namespace vantage {
 
 /// What a range file holds.
 struct RangeGrid {
-  SampleGrid samples;          ///< [mm]
-  double scale = 1.0;          ///< millimetres per unit of the file
-  bool looksAlongZ = true;     ///< the scanner looks down along z; false for files written by us from other rays
+  SampleGrid samples;       ///< [mm]
+  double scale = 1.0;       ///< millimetres per unit of the file
+  bool looksAlongZ = true;  ///< the scanner looks down along z; false for files written by us from other rays
 };
 
 struct RangeFileOptions {
-  /// Millimetres per unit of the file. Unset: as the file says (`obj_info unit_mm`), else metres when the longest side of
-  /// the points' bounding box is below 10 units, else millimetres.
+  /// Millimetres per unit of the file. Unset: as the file says (`obj_info unit_mm`), else metres when the longest side
+  /// of the points' bounding box is below 10 units, else millimetres.
   std::optional<double> scale;
   /// How far above the highest sample the reconstructed rays begin [mm].
   double standoff = 100.0;
 };
 
-/// Reads a PLY range file: `obj_info num_cols C`, `num_rows R`, elements vertex {x y z} and range_grid of R * C lists with 0 or 1
-/// vertex index, cell k being row k / C, column k % C (Stanford 3D Scanning Repository).
+/// Reads a PLY range file: `obj_info num_cols C`, `num_rows R`, elements vertex {x y z} and range_grid of R * C lists
+/// with 0 or 1 vertex index, cell k being row k / C, column k % C (Stanford 3D Scanning Repository).
 /// @throws IoError when it cannot be read
 /// @throws InvalidInput naming file, place and expectation; also for a PLY file without range_grid or without samples
 /// @throws Cancelled
-[[nodiscard]] RangeGrid readRangeGrid(const std::string& path, const RangeFileOptions& options = {}, const Progress& progress = {});
+[[nodiscard]] RangeGrid readRangeGrid(const std::string& path, const RangeFileOptions& options = {},
+                                      const Progress& progress = {});
 
 /// A range file as a range image. The file does not say how its rays lie; they are reconstructed (see reconstructRays):
-/// about along -z, through the samples, and for empty cells where the grid would have them. The samples are reproduced but
-/// for single precision of the range.
+/// about along -z, through the samples, and for empty cells where the grid would have them. The samples are reproduced
+/// but for single precision of the range.
 /// @throws as readRangeGrid; InvalidInput also for a file of other rays
-[[nodiscard]] RangeImage readRangeFile(const std::string& path, const RangeFileOptions& options = {}, const Progress& progress = {});
+[[nodiscard]] RangeImage readRangeFile(const std::string& path, const RangeFileOptions& options = {},
+                                       const Progress& progress = {});
 
 /// A range file taken with known ranging rays.
-/// @throws as readRangeGrid; InvalidInput also when the grid has another size, or a sample lies farther from its ray than 1 mm
+/// @throws as readRangeGrid; InvalidInput also when the grid has another size, or a sample lies farther from its ray
+/// than 1 mm
 ///         or a hundredth of its range
 [[nodiscard]] RangeImage readRangeFile(const std::string& path, std::shared_ptr<const RayGrid> rays,
                                        const RangeFileOptions& options = {}, const Progress& progress = {});
 
-/// Writes a range image as binary PLY range file in millimetres and scanner coordinates. Pose and position are not written.
+/// Writes a range image as binary PLY range file in millimetres and scanner coordinates. Pose and position are not
+/// written.
 /// @throws InvalidInput for a range image that is not one; IoError, Cancelled as exportMesh
 void writeRangeFile(const RangeImage& image, const std::string& path, const Progress& progress = {});
 

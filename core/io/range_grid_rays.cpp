@@ -31,7 +31,9 @@ struct Step {
 
 std::vector<Step> collectSteps(const SampleGrid& grid, double z0) {
   std::vector<Step> steps;
-  auto at = [&](int r, int c) { return static_cast<std::size_t>(r) * static_cast<std::size_t>(grid.columns) + static_cast<std::size_t>(c); };
+  auto at = [&](int r, int c) {
+    return static_cast<std::size_t>(r) * static_cast<std::size_t>(grid.columns) + static_cast<std::size_t>(c);
+  };
   auto u = [&](int c) { return (c - 0.5 * grid.columns) / grid.columns; };
   auto v = [&](int r) { return (r - 0.5 * grid.rows) / grid.rows; };
   auto add = [&](int r, int c, int r2, int c2) {
@@ -42,8 +44,8 @@ std::vector<Step> collectSteps(const SampleGrid& grid, double z0) {
     const double z = grid.points[from].z() - z0;
     const double z2 = grid.points[to].z() - z0;
     Step step;
-    step.features << (c2 > c ? 1.0 : 0.0), (r2 > r && r % 2 == 0 ? 1.0 : 0.0), (r2 > r && r % 2 == 1 ? 1.0 : 0.0), z2 - z,
-        u(c2) * z2 - u(c) * z, v(r2) * z2 - v(r) * z;
+    step.features << (c2 > c ? 1.0 : 0.0), (r2 > r && r % 2 == 0 ? 1.0 : 0.0), (r2 > r && r % 2 == 1 ? 1.0 : 0.0),
+        z2 - z, u(c2) * z2 - u(c) * z, v(r2) * z2 - v(r) * z;
     step.change = (grid.points[to] - grid.points[from]).head<2>();
     steps.push_back(step);
   };
@@ -89,7 +91,11 @@ Vec2 slopeAt(const SightSlopes& slopes, const SampleGrid& grid, int r, int c) {
 class CoordinateFill {
  public:
   CoordinateFill(int rows, int columns, std::vector<double> known)
-      : rows_(rows), columns_(columns), known_(std::move(known)), rowOffset_(static_cast<std::size_t>(rows)), columnOffset_(static_cast<std::size_t>(columns)) {}
+      : rows_(rows),
+        columns_(columns),
+        known_(std::move(known)),
+        rowOffset_(static_cast<std::size_t>(rows)),
+        columnOffset_(static_cast<std::size_t>(columns)) {}
 
   std::vector<double> fill() {
     fitPitch();
@@ -102,11 +108,14 @@ class CoordinateFill {
   }
 
  private:
-  std::size_t at(int r, int c) const { return static_cast<std::size_t>(r) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(c); }
+  std::size_t at(int r, int c) const {
+    return static_cast<std::size_t>(r) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(c);
+  }
   bool isKnown(std::size_t i) const { return known_[i] == known_[i]; }
 
   double model(int r, int c) const {
-    return perColumn_ * c + perRow_ * r + rowOffset_[static_cast<std::size_t>(r)] + columnOffset_[static_cast<std::size_t>(c)];
+    return perColumn_ * c + perRow_ * r + rowOffset_[static_cast<std::size_t>(r)] +
+           columnOffset_[static_cast<std::size_t>(c)];
   }
 
   // Median change from a sample to the next in the same row, and two rows on in the same column.
@@ -130,11 +139,13 @@ class CoordinateFill {
     for (int r = 0; r < rows_; ++r)
       for (int c = 0; c < columns_; ++c)
         if (isKnown(at(r, c))) left[static_cast<std::size_t>(ofRows ? r : c)].push_back(known_[at(r, c)] - model(r, c));
-    for (std::size_t first = 0; first < std::min(stride, offset.size()); ++first) interpolate(left, offset, first, stride);
+    for (std::size_t first = 0; first < std::min(stride, offset.size()); ++first)
+      interpolate(left, offset, first, stride);
   }
 
   // Offsets first, first + stride, ...: medians where there are samples, linear between them, constant beyond.
-  static void interpolate(std::vector<std::vector<double>>& left, std::vector<double>& offset, std::size_t first, std::size_t stride) {
+  static void interpolate(std::vector<std::vector<double>>& left, std::vector<double>& offset, std::size_t first,
+                          std::size_t stride) {
     std::vector<std::size_t> found;
     for (std::size_t i = first; i < offset.size(); i += stride) {
       if (left[i].empty()) continue;

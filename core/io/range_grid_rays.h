@@ -28,14 +28,15 @@ struct SightSlopes {
 /// slope 0, and so does a grid that is too flat to tell.
 [[nodiscard]] SightSlopes fitSightSlopes(const SampleGrid& grid);
 
-/// Fills in the places of cells. `positions` has rows x columns entries, row-major; unknown ones are NaN, known ones stay.
-/// A cell lies at pitch * (row, column) plus an offset of its row (interlaced rows are shifted) and of its column (warped columns are not
-/// equally spaced), found with medians; what is left of neighbouring samples is spread smoothly and fades with distance.
+/// Fills in the places of cells. `positions` has rows x columns entries, row-major; unknown ones are NaN, known ones
+/// stay. A cell lies at pitch * (row, column) plus an offset of its row (interlaced rows are shifted) and of its column
+/// (warped columns are not equally spaced), found with medians; what is left of neighbouring samples is spread smoothly
+/// and fades with distance.
 /// @pre at least one entry is known
 void fillGridPositions(int rows, int columns, std::vector<Vec2>& positions);
 
-/// The ranging rays of a scanner that looks down along z: all begin at height `top` [mm]; the ray of a sample goes through it, the others
-/// lie where the grid would have them. @pre grid has a sample
+/// The ranging rays of a scanner that looks down along z: all begin at height `top` [mm]; the ray of a sample goes
+/// through it, the others lie where the grid would have them. @pre grid has a sample
 [[nodiscard]] std::vector<RangingRay> reconstructRays(const SampleGrid& grid, double top);
 
 }  // namespace vantage

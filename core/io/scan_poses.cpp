@@ -23,12 +23,14 @@ ScanPose readRecord(TextScanner& text, double scale) {
     const std::string_view field = text.fieldOnLine();
     const auto number = parseNumber(field);
     if (!number || !std::isfinite(*number))
-      text.fail("bmesh " + inQuotes(pose.file) + " has " + inQuotes(field) + ", expected the seven numbers tx ty tz qx qy qz qw");
+      text.fail("bmesh " + inQuotes(pose.file) + " has " + inQuotes(field) +
+                ", expected the seven numbers tx ty tz qx qy qz qw");
     value = *number;
   }
   const Eigen::Quaterniond q(n[6], n[3], n[4], n[5]);
   if (std::abs(q.norm() - 1.0) > kUnitTolerance)
-    text.fail("bmesh " + inQuotes(pose.file) + " has a quaternion of length " + std::to_string(q.norm()) + ", expected 1");
+    text.fail("bmesh " + inQuotes(pose.file) + " has a quaternion of length " + std::to_string(q.norm()) +
+              ", expected 1");
   pose.T_object_scanner.linear() = q.normalized().toRotationMatrix().transpose();
   pose.T_object_scanner.translation() = scale * Vec3(n[0], n[1], n[2]);
   return pose;
@@ -48,7 +50,8 @@ std::vector<ScanPose> readScanPoses(const std::string& path, double scale) {
   do {
     if (text.fieldOnLine() == "bmesh") poses.push_back(readRecord(text, scale));
   } while (text.nextLine());
-  if (poses.empty()) throw InvalidInput(path + ": has no line 'bmesh FILE tx ty tz qx qy qz qw', expected a list of scan poses");
+  if (poses.empty())
+    throw InvalidInput(path + ": has no line 'bmesh FILE tx ty tz qx qy qz qw', expected a list of scan poses");
   return poses;
 }
 

@@ -22,7 +22,8 @@ struct ScanPose {
 ///         quaternion that is not near unit length, and for a file without any
 [[nodiscard]] std::vector<ScanPose> readScanPoses(const std::string& path, double scale);
 
-/// The pose of a range file: the record with its name, folders aside and with or without .ply. Nothing when there is none.
+/// The pose of a range file: the record with its name, folders aside and with or without .ply. Nothing when there is
+/// none.
 [[nodiscard]] std::optional<Pose> findPose(const std::vector<ScanPose>& poses, const std::string& rangeFile);
 
 }  // namespace vantage

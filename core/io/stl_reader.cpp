@@ -65,7 +65,8 @@ class AsciiStl {
 
  private:
   void readFacet() {
-    if (soup_.ends.size() % 16384 == 0) progress_.checkpoint(std::min(1.0, 250.0 * static_cast<double>(soup_.ends.size()) / size_));
+    if (soup_.ends.size() % 16384 == 0)
+      progress_.checkpoint(std::min(1.0, 250.0 * static_cast<double>(soup_.ends.size()) / size_));
     skipTo("outer");  // the normal is recomputed
     expect("loop");
     std::string_view field = text_.field();
@@ -122,7 +123,8 @@ PolygonSoup readStlSoup(const FileBytes& file, const Progress& progress) {
   if (hasCount && bytes.size() == expected) return readBinary(file, count, progress);
   if (looksLikeText(bytes)) return AsciiStl(file, progress).read();
   if (!hasCount)
-    throw InvalidInput(file.path() + ": has " + std::to_string(bytes.size()) + " bytes, a binary STL has at least 84 and an ASCII STL begins with 'solid'");
+    throw InvalidInput(file.path() + ": has " + std::to_string(bytes.size()) +
+                       " bytes, a binary STL has at least 84 and an ASCII STL begins with 'solid'");
   throw InvalidInput(file.path() + ": byte 80: the STL declares " + std::to_string(count) + " triangles, which take " +
                      std::to_string(expected) + " bytes, but the file has " + std::to_string(bytes.size()));
 }

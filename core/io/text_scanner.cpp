@@ -9,8 +9,12 @@
 namespace vantage {
 namespace {
 
-bool isLineEnd(char c) { return c == '\n' || c == '\r'; }
-bool isBlank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
+bool isLineEnd(char c) {
+  return c == '\n' || c == '\r';
+}
+bool isBlank(char c) {
+  return c == ' ' || c == '\t' || c == '\v' || c == '\f';
+}
 
 // from_chars knows no leading plus sign.
 std::string_view withoutPlus(std::string_view field) {

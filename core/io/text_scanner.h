@@ -8,8 +8,8 @@
 
 namespace vantage {
 
-/// Walks over a text file field by field and knows the line it is in. Lines end with LF, CR LF or CR; fields are separated
-/// by blanks. Views point into the text.
+/// Walks over a text file field by field and knows the line it is in. Lines end with LF, CR LF or CR; fields are
+/// separated by blanks. Views point into the text.
 class TextScanner {
  public:
   /// @param firstLine number of the line at which `text` begins.

@@ -1,0 +1,161 @@
+#include "io/mesh_writer.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <limits>
+
+#include "base/errors.h"
+#include "core/io/expect_error.h"
+#include "io/file_bytes.h"
+#include "io/model_reader.h"
+#include "support/meshes.h"
+#include "support/test_data.h"
+
+namespace vantage {
+namespace {
+
+using testing::expectError;
+using testing::TemporaryFolder;
+
+// Coordinates that single precision holds exactly.
+Model makeModel() {
+  Model model;
+  model.mesh = testing::makeGrid(7, 5, 0.25);
+  for (std::size_t i = 0; i < model.mesh.vertices.size(); ++i)
+    model.confidence.push_back(1.0F / static_cast<float>(i + 1));
+  for (std::size_t i = 0; i < model.mesh.triangles.size(); ++i)
+    model.triangleView.push_back(static_cast<std::uint32_t>(i % 3));
+  model.vertexView.assign(model.mesh.vertices.size(), 0);
+  model.vertexSample.assign(model.mesh.vertices.size(), 0);
+  return model;
+}
+
+void expectSame(const Model& a, const Model& b) {
+  EXPECT_EQ(a.mesh.vertices, b.mesh.vertices);
+  EXPECT_EQ(a.mesh.triangles, b.mesh.triangles);
+  EXPECT_EQ(a.confidence, b.confidence);
+  EXPECT_EQ(a.triangleView, b.triangleView);
+}
+
+TEST(ExportModel, PlyComesBackAsItWas) {
+  const TemporaryFolder folder;
+  const Model model = makeModel();
+  exportModel(model, folder.file("model.ply"));
+  const Model back = readModel(folder.file("model.ply"));
+  expectSame(back, model);
+  EXPECT_EQ(back.vertexView, std::vector<std::uint32_t>(model.mesh.vertices.size(), kNoIndex));
+  EXPECT_TRUE(isModel(readPlyHeader(folder.file("model.ply"))));
+}
+
+TEST(ExportModel, AnEmptyModelIsStillAModel) {
+  const TemporaryFolder folder;
+  exportModel({}, folder.file("model.ply"));
+  EXPECT_TRUE(readModel(folder.file("model.ply")).mesh.empty());
+}
+
+TEST(ExportModel, PlyIsByteForByteAsDocumented) {
+  const TemporaryFolder folder;
+  Model model;
+  model.mesh.vertices = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  model.mesh.triangles = {{0, 1, 2}};
+  model.confidence = {1.0F, 0.5F, 0.25F};
+  model.triangleView = {7};
+  exportModel(model, folder.file("model.ply"));
+  std::string expected =
+      "ply\nformat binary_little_endian 1.0\ncomment millimetres\nelement vertex 3\nproperty float x\nproperty float "
+      "y\n"
+      "property float z\nproperty float confidence\nelement face 1\nproperty list uchar int vertex_indices\nproperty "
+      "int view\n"
+      "end_header\n";
+  for (const float value : {1.0F, 0.0F, 0.0F, 1.0F, 0.0F, 1.0F, 0.0F, 0.5F, 0.0F, 0.0F, 1.0F, 0.25F})
+    expected.append(reinterpret_cast<const char*>(&value), 4);
+  expected += '\3';
+  for (const int value : {0, 1, 2, 7}) expected.append(reinterpret_cast<const char*>(&value), 4);
+  EXPECT_EQ(FileBytes(folder.file("model.ply")).text(), expected);
+}
+
+TEST(ReadModel, ReadsOtherLayoutsOfTheSameContent) {
+  const TemporaryFolder folder;
+  const Model back = readModel(
+      folder.write("a.ply",
+                   "ply\nformat ascii 1.0\nelement vertex 3\nproperty double confidence\nproperty float x\n"
+                   "property float y\nproperty float z\nelement face 1\nproperty uchar view\n"
+                   "property list uchar uint vertex_index\nend_header\n1 1 0 0\n0.5 0 1 0\n0.25 0 0 1\n7 3 0 1 2\n"));
+  EXPECT_EQ(back.confidence, (std::vector<float>{1.0F, 0.5F, 0.25F}));
+  EXPECT_EQ(back.triangleView, (std::vector<std::uint32_t>{7}));
+  EXPECT_EQ(back.mesh.vertices[2], Vec3(0, 0, 1));
+  EXPECT_EQ(back.mesh.triangles[0], (Triangle{0, 1, 2}));
+}
+
+TEST(ReadModel, RefusesWhatAModelCannotBe) {
+  const TemporaryFolder folder;
+  exportMesh(makeModel().mesh, folder.file("mesh.ply"));
+  expectError<InvalidInput>([&] { static_cast<void>(readModel(folder.file("mesh.ply"))); },
+                            {"mesh.ply", "no model", "confidence"});
+
+  auto refuse = [&](Model model, const std::vector<std::string>& parts) {
+    exportModel(model, folder.file("bad.ply"));
+    expectError<InvalidInput>([&] { static_cast<void>(readModel(folder.file("bad.ply"))); }, parts);
+  };
+  Model model = makeModel();
+  model.confidence[3] = 1.5F;
+  refuse(model, {"bad.ply", "vertex 3", "1.5"});
+  model = makeModel();
+  model.triangleView[2] = 0x80000000U;
+  refuse(model, {"face 2", "view"});
+  model = makeModel();
+  model.mesh.vertices[4].x() = std::numeric_limits<double>::quiet_NaN();
+  refuse(model, {"vertex 4", "not finite"});
+}
+
+TEST(ReadPlyMesh, RefusesFacesOtherThanTrianglesOfTheFile) {
+  const TemporaryFolder folder;
+  exportMesh(makeModel().mesh, folder.file("mesh.ply"));
+  const std::string whole(FileBytes(folder.file("mesh.ply")).text());
+  const std::size_t lastFace = whole.size() - 13;
+  std::string damaged = whole;
+  damaged[lastFace + 12] = '\x7f';
+  expectError<InvalidInput>([&] { static_cast<void>(readPlyMesh(folder.write("a.ply", damaged))); },
+                            {"a.ply", "face 69", "48 vertices"});
+  damaged = whole;
+  damaged[lastFace] = '\2';
+  expectError<InvalidInput>([&] { static_cast<void>(readPlyMesh(folder.write("b.ply", damaged))); },
+                            {"b.ply", "face 69"});
+  expectError<InvalidInput>(
+      [&] { static_cast<void>(readPlyMesh(folder.write("c.ply", whole.substr(0, whole.size() - 5)))); }, {"c.ply"});
+}
+
+TEST(ReadPlyMesh, IsTheSameForAnyNumberOfThreads) {
+  const TemporaryFolder folder;
+  const Mesh sphere = testing::makeSphere(10.0, 300);
+  exportMesh(sphere, folder.file("a.ply"));
+  const Mesh one = readPlyMesh(folder.file("a.ply"));
+  const Mesh four = readPlyMesh(folder.file("a.ply"), Progress({}, {}, 4));
+  EXPECT_EQ(one.vertices, four.vertices);
+  EXPECT_EQ(one.triangles, four.triangles);
+  EXPECT_EQ(one.triangles, sphere.triangles);
+}
+
+TEST(ExportMesh, RefusesUnknownExtensionsAndBrokenIndices) {
+  const TemporaryFolder folder;
+  expectError<InvalidInput>([&] { exportMesh(makeModel().mesh, folder.file("a.xyz")); },
+                            {"a.xyz", "'xyz'", ".ply, .stl or .obj"});
+  Mesh mesh = makeModel().mesh;
+  mesh.triangles[5][1] = 48;
+  expectError<InvalidInput>([&] { exportMesh(mesh, folder.file("a.ply")); }, {"triangle 5", "vertex 48 of 48"});
+  EXPECT_FALSE(std::filesystem::exists(folder.file("a.ply")));
+}
+
+TEST(ExportMesh, LeavesTheOldFileWhenCancelled) {
+  const TemporaryFolder folder;
+  const std::string path = folder.write("a.stl", "old");
+  std::stop_source stop;
+  stop.request_stop();
+  EXPECT_THROW(exportMesh(makeModel().mesh, path, Progress({}, stop.get_token(), 1)), Cancelled);
+  EXPECT_EQ(FileBytes(path).text(), "old");
+  EXPECT_EQ(testing::filesBelow(folder.file(".")).size(), 1U);
+}
+
+}  // namespace
+}  // namespace vantage

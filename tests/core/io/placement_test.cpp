@@ -1,0 +1,60 @@
+#include "io/placement.h"
+
+#include <gtest/gtest.h>
+
+#include "base/errors.h"
+#include "geometry/measures.h"
+#include "support/meshes.h"
+
+namespace vantage {
+namespace {
+
+TEST(Placement, AsIsChangesNothing) {
+  const Mesh box = testing::makeBox({1, 2, 3}, {4, 5, 6});
+  EXPECT_EQ(placed(box, computePlacement(box, Placement::AsIs, {})).vertices, box.vertices);
+}
+
+TEST(Placement, FitMakesATallBoxNineTenthsOfTheHeight) {
+  // 6 x 8 wide (radius 5), 100 tall, in a volume of radius 150 and height 300: the height decides.
+  const Mesh box = testing::makeBox({10, 20, -7}, {16, 28, 93});
+  const PlacementTransform transform = computePlacement(box, Placement::Fit, {150.0, 300.0});
+  EXPECT_DOUBLE_EQ(transform.scale, 2.7);
+  const BoundingBox result = boundingBox(placed(box, transform));
+  EXPECT_NEAR((result.min - Vec3(-8.1, -10.8, 0.0)).norm(), 0.0, 1e-12);
+  EXPECT_NEAR((result.max - Vec3(8.1, 10.8, 270.0)).norm(), 0.0, 1e-12);
+}
+
+TEST(Placement, FitMakesAWideBoxNineTenthsOfTheRadius) {
+  const Mesh box = testing::makeBox({-3, -4, 0}, {3, 4, 1});
+  const PlacementTransform transform = computePlacement(box, Placement::Fit, {150.0, 300.0});
+  EXPECT_DOUBLE_EQ(transform.scale, 27.0);
+}
+
+TEST(Placement, FitPutsAnyMeshInside) {
+  const ViewingVolume volume{120.0, 200.0};
+  for (const double size : {1e-3, 1.0, 1e4}) {
+    const Mesh mesh = testing::joined(testing::makeSphere(size, 8, {size, 3 * size, -5 * size}),
+                                      testing::makeBox({0, 0, 0}, {size, 9 * size, size}));
+    const Mesh fitted = placed(mesh, computePlacement(mesh, Placement::Fit, volume));
+    EXPECT_TRUE(isInside(fitted, volume, 1e-9));
+    EXPECT_FALSE(isInside(placed(fitted, {1.0 / kFittedShare + 0.01, Vec3::Zero()}), volume, 0.0))
+        << "not as large as possible";
+  }
+}
+
+TEST(Placement, RefusesToFitAPoint) {
+  const Mesh point{{{1, 1, 1}}, {{0, 0, 0}}};
+  EXPECT_THROW(static_cast<void>(computePlacement(point, Placement::Fit, {})), InvalidInput);
+}
+
+TEST(Placement, IsInsideKnowsAllSidesOfTheCylinder) {
+  const ViewingVolume volume{10.0, 20.0};
+  auto inside = [&](const Vec3& p) { return isInside(Mesh{{p}, {}}, volume, 0.5); };
+  EXPECT_TRUE(inside({10.4, 0, 0}));
+  EXPECT_FALSE(inside({8, 8, 10}));
+  EXPECT_FALSE(inside({0, 0, -0.6}));
+  EXPECT_FALSE(inside({0, 0, 20.6}));
+}
+
+}  // namespace
+}  // namespace vantage
