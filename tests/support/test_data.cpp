@@ -17,7 +17,9 @@ std::optional<fs::path> testDataFolder() {
   return fs::is_directory(folder) ? std::optional(folder) : std::nullopt;
 }
 
-fs::path sourceFolder() { return VANTAGE_SOURCE_DIR; }
+fs::path sourceFolder() {
+  return VANTAGE_SOURCE_DIR;
+}
 
 std::vector<std::string> filesBelow(const fs::path& folder) {
   std::vector<std::string> files;

@@ -7,8 +7,8 @@
 
 namespace vantage::testing {
 
-/// The folder of real scans and damaged files, which is not part of the project: the environment variable VANTAGE_TEST_DATA, else
-/// shared/data beside the source tree. Nothing when it is absent.
+/// The folder of real scans and damaged files, which is not part of the project: the environment variable
+/// VANTAGE_TEST_DATA, else shared/data beside the source tree. Nothing when it is absent.
 [[nodiscard]] std::optional<std::filesystem::path> testDataFolder();
 
 /// The project's source tree.
@@ -36,6 +36,6 @@ class TemporaryFolder {
 }  // namespace vantage::testing
 
 /// Leaves a test that needs the folder of test data where there is none.
-#define VANTAGE_NEEDS_TEST_DATA(folder)                                                          \
-  const auto folder = ::vantage::testing::testDataFolder();                                      \
+#define VANTAGE_NEEDS_TEST_DATA(folder)                     \
+  const auto folder = ::vantage::testing::testDataFolder(); \
   if (!folder) GTEST_SKIP() << "no test data: set VANTAGE_TEST_DATA to the folder that holds it"

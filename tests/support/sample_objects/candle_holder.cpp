@@ -1,5 +1,5 @@
-#include <array>
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "support/sample_objects/distance_fields.h"
@@ -44,7 +44,8 @@ double wing(const Vec3& m) {
   double skin = plate(m, shoulder, tip, middle, 3.2);
   skin = join(skin, plate(m, shoulder, middle, low, 3.2), 1.0);
   skin = join(skin, plate(m, shoulder, low, root, 3.2), 1.0);
-  const double bones = std::min({bar(m, shoulder, tip, 4.2, 2.2), bar(m, shoulder, middle, 3.4, 2.2), bar(m, shoulder, low, 3.2, 2.2)});
+  const double bones =
+      std::min({bar(m, shoulder, tip, 4.2, 2.2), bar(m, shoulder, middle, 3.4, 2.2), bar(m, shoulder, low, 3.2, 2.2)});
   return join(skin, bones, 2.0);
 }
 

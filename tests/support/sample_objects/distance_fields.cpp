@@ -12,9 +12,13 @@ double join(double a, double b, double blend) {
   return std::min(a, b) - 0.25 * h * h / blend;
 }
 
-double cut(double a, double b, double blend) { return -join(-a, b, blend); }
+double cut(double a, double b, double blend) {
+  return -join(-a, b, blend);
+}
 
-double sphere(const Vec3& p, const Vec3& centre, double radius) { return (p - centre).norm() - radius; }
+double sphere(const Vec3& p, const Vec3& centre, double radius) {
+  return (p - centre).norm() - radius;
+}
 
 double ellipsoid(const Vec3& p, const Vec3& centre, const Vec3& radii) {
   const Vec3 q = (p - centre).cwiseQuotient(radii);
@@ -31,7 +35,9 @@ double bar(const Vec3& p, const Vec3& a, const Vec3& b, double radiusA, double r
 
 double tube(const Vec3& p, std::span<const Vec3> path, double firstRadius, double lastRadius) {
   const double pieces = static_cast<double>(path.size() - 1);
-  auto radius = [&](std::size_t i) { return firstRadius + (lastRadius - firstRadius) * static_cast<double>(i) / pieces; };
+  auto radius = [&](std::size_t i) {
+    return firstRadius + (lastRadius - firstRadius) * static_cast<double>(i) / pieces;
+  };
   double distance = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i + 1 < path.size(); ++i)
     distance = std::min(distance, bar(p, path[i], path[i + 1], radius(i), radius(i + 1)));

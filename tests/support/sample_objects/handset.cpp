@@ -9,8 +9,8 @@ namespace vantage::testing {
 namespace {
 
 constexpr double kAxisHeight = 23.0;
-constexpr double kBack = 2.6;  // so that the bounding box stands on the axis
-constexpr std::size_t kGripPieces = 20;
+constexpr double kBack = 7.4;  // so that the bounding box stands on the axis
+constexpr std::size_t kGripPieces = 48;
 
 std::array<Vec3, kGripPieces + 1> gripPath() {
   std::array<Vec3, kGripPieces + 1> path;

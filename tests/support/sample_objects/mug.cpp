@@ -16,7 +16,7 @@ const Vec2 kWallFoot(35.2, 4.0);
 const Vec2 kWallRim(37.8, 92.8);
 constexpr double kHalfWall = 2.2;
 
-constexpr std::size_t kHandlePieces = 24;
+constexpr std::size_t kHandlePieces = 64;
 
 std::array<Vec3, kHandlePieces + 1> handlePath() {
   std::array<Vec3, kHandlePieces + 1> path;
@@ -41,7 +41,8 @@ double mug(const Vec3& p) {
   // The handle is a strap, wider than thick, that ends in the middle of the wall.
   const Vec3 squeezed(q.x(), 0.62 * q.y(), q.z());
   const double strap = tube(squeezed, kPath, 4.2, 4.6);
-  const double wallRadius = kWallFoot.x() + (kWallRim.x() - kWallFoot.x()) * (q.z() - kWallFoot.y()) / (kWallRim.y() - kWallFoot.y());
+  const double wallRadius =
+      kWallFoot.x() + (kWallRim.x() - kWallFoot.x()) * (q.z() - kWallFoot.y()) / (kWallRim.y() - kWallFoot.y());
   // It stands flat.
   return std::max(join(cup, std::max(strap, wallRadius - profile.x()), 4.0), -q.z());
 }

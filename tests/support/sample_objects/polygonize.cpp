@@ -19,8 +19,10 @@ class Marching {
  public:
   Marching(const std::function<double(const Vec3&)>& field, const BoundingBox& box, double spacing)
       : origin_(box.min), spacing_(spacing) {
-    for (int k = 0; k < 3; ++k) count_[static_cast<std::size_t>(k)] = static_cast<int>(std::ceil(box.size()[k] / spacing)) + 1;
-    values_.resize(static_cast<std::size_t>(count_[0]) * static_cast<std::size_t>(count_[1]) * static_cast<std::size_t>(count_[2]));
+    for (int k = 0; k < 3; ++k)
+      count_[static_cast<std::size_t>(k)] = static_cast<int>(std::ceil(box.size()[k] / spacing)) + 1;
+    values_.resize(static_cast<std::size_t>(count_[0]) * static_cast<std::size_t>(count_[1]) *
+                   static_cast<std::size_t>(count_[2]));
     for (int z = 0; z < count_[2]; ++z)
       for (int y = 0; y < count_[1]; ++y)
         for (int x = 0; x < count_[0]; ++x) values_[index({x, y, z})] = field(place({x, y, z}));
@@ -38,7 +40,8 @@ class Marching {
  private:
   std::size_t index(const Cell& c) const {
     return (static_cast<std::size_t>(c[2]) * static_cast<std::size_t>(count_[1]) + static_cast<std::size_t>(c[1])) *
-               static_cast<std::size_t>(count_[0]) + static_cast<std::size_t>(c[0]);
+               static_cast<std::size_t>(count_[0]) +
+           static_cast<std::size_t>(c[0]);
   }
   Vec3 place(const Cell& c) const { return origin_ + spacing_ * Vec3(c[0], c[1], c[2]); }
   bool isInside(const Cell& c) const { return values_[index(c)] < 0.0; }
@@ -56,13 +59,16 @@ class Marching {
   }
 
   void marchTetrahedron(std::array<Cell, 4> corner) {
-    const auto outside = std::stable_partition(corner.begin(), corner.end(), [this](const Cell& c) { return isInside(c); });
+    const auto outside =
+        std::stable_partition(corner.begin(), corner.end(), [this](const Cell& c) { return isInside(c); });
     const auto inside = outside - corner.begin();
     if (inside == 0 || inside == 4) return;
     if (inside == 1) {
-      addTriangle({vertex(corner[0], corner[1]), vertex(corner[0], corner[2]), vertex(corner[0], corner[3])}, corner[0], corner[1]);
+      addTriangle({vertex(corner[0], corner[1]), vertex(corner[0], corner[2]), vertex(corner[0], corner[3])}, corner[0],
+                  corner[1]);
     } else if (inside == 3) {
-      addTriangle({vertex(corner[3], corner[0]), vertex(corner[3], corner[1]), vertex(corner[3], corner[2])}, corner[0], corner[3]);
+      addTriangle({vertex(corner[3], corner[0]), vertex(corner[3], corner[1]), vertex(corner[3], corner[2])}, corner[0],
+                  corner[3]);
     } else {
       const std::uint32_t a = vertex(corner[0], corner[2]);
       const std::uint32_t b = vertex(corner[0], corner[3]);
@@ -79,7 +85,8 @@ class Marching {
     const bool forward = a[0] <= b[0] && a[1] <= b[1] && a[2] <= b[2];
     const Cell& low = forward ? a : b;
     const Cell& high = forward ? b : a;
-    const std::size_t direction = static_cast<std::size_t>((high[0] - low[0]) + 2 * (high[1] - low[1]) + 4 * (high[2] - low[2]));
+    const std::size_t direction =
+        static_cast<std::size_t>((high[0] - low[0]) + 2 * (high[1] - low[1]) + 4 * (high[2] - low[2]));
     std::uint32_t& slot = vertexOnEdge_[8 * index(low) + direction];
     if (slot == kNoIndex) {
       const double from = values_[index(low)];
@@ -94,7 +101,9 @@ class Marching {
   bool facesAway(const Triangle& t, const Cell& inside, const Cell& outside) const {
     return areaVector(mesh_, t).dot(place(outside) - place(inside)) < 0.0;
   }
-  void addTriangle(const Triangle& t, const Cell& inside, const Cell& outside) { push(t, facesAway(t, inside, outside)); }
+  void addTriangle(const Triangle& t, const Cell& inside, const Cell& outside) {
+    push(t, facesAway(t, inside, outside));
+  }
   void push(const Triangle& t, bool turned) { mesh_.triangles.push_back(turned ? Triangle{t[0], t[2], t[1]} : t); }
 
   Vec3 origin_;

@@ -11,8 +11,8 @@ namespace vantage::testing {
 /// the field is positive on the box, manifold, oriented toward positive values.
 [[nodiscard]] Mesh polygonize(const std::function<double(const Vec3&)>& field, const BoundingBox& box, double spacing);
 
-/// Takes the area-less triangles out of a closed mesh that decimation may leave: a corner that lies on the opposite side (within `height` [mm]) is
-/// joined with the corner beyond that side, by turning the side round.
+/// Takes the area-less triangles out of a closed mesh that decimation may leave: a corner that lies on the opposite
+/// side (within `height` [mm]) is joined with the corner beyond that side, by turning the side round.
 void flipFlatTriangles(Mesh& mesh, double height);
 
 }  // namespace vantage::testing

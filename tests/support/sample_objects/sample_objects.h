@@ -2,7 +2,8 @@
 
 #include "geometry/vectors.h"
 
-// The objects that are shipped with the workstation, as distance fields [mm]: negative inside, z up, standing on z = 0, about the z axis.
+// The objects that are shipped with the workstation, as distance fields [mm]: negative inside, z up, standing on z = 0,
+// about the z axis.
 namespace vantage::testing {
 
 /// A mug, 80 mm wide and 95 mm tall, with a handle: a hole to look through, and an inside that only steep views reach.
