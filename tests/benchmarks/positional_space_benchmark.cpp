@@ -46,8 +46,8 @@ Mesh makeKnot(int along, int around) {
   auto vertex = [&](int i, int j) { return static_cast<std::uint32_t>(i % along * around + j % around); };
   for (int i = 0; i < along; ++i) {
     for (int j = 0; j < around; ++j) {
-      mesh.triangles.push_back({vertex(i, j), vertex(i, j + 1), vertex(i + 1, j + 1)});
-      mesh.triangles.push_back({vertex(i, j), vertex(i + 1, j + 1), vertex(i + 1, j)});
+      mesh.triangles.push_back({vertex(i, j), vertex(i + 1, j + 1), vertex(i, j + 1)});
+      mesh.triangles.push_back({vertex(i, j), vertex(i + 1, j), vertex(i + 1, j + 1)});
     }
   }
   return mesh;
@@ -107,7 +107,8 @@ void traceRaw(const std::vector<OcclusionRay>& rays, const RayCaster& obstacles,
 void compareWithRaw(const char* name, const ScannerImages& images, const std::vector<ObservationSource>& sources,
                     const RayCaster& obstacles, const AccumulationOptions& options) {
   ObservationBatch batch;
-  const ObservationRays generator(images, kBreakdown, options);
+  const CellLookup lookup(images);
+  ObservationRays generator(images, lookup, kBreakdown, options);
   for (std::size_t s = 0; s < sources.size(); ++s)
     generator.append(sources[s], static_cast<std::uint32_t>(s), batch);
   const double rays = static_cast<double>(batch.rays.size());

@@ -25,9 +25,9 @@ struct Door {
 };
 constexpr std::array<Door, 6> kDoors{{{"embree[0-9]*/.*", "geometry/ray_caster\\.cpp"},
                                       {"OpenMesh/.*", "geometry/decimation\\.cpp"},
-                                      {"assimp/.*", "io/mesh_reader\\.cpp"},
-                                      {"sqlite3\\.h", "acquisition/session_file[a-z_]*\\.cpp"},
-                                      {"zstd\\.h", "acquisition/session_file[a-z_]*\\.cpp"},
+                                      {"assimp/.*", "io/assimp_import\\.cpp"},
+                                      {"sqlite3\\.h", "acquisition/database\\.cpp"},
+                                      {"zstd\\.h", "acquisition/session_blobs\\.cpp"},
                                       {"CLI/.*", ""}}};
 
 const std::regex kInclude("^\\s*#\\s*include\\s*[<\"]([^>\"]+)[>\"]");

@@ -57,7 +57,7 @@ TEST(Layering, AGoodTreeHasNoViolations) {
   const MadeUpTree tree(
       {{"core/geometry/mesh.h", "#include <array>\n#include \"base/errors.h\"\n"},
        {"core/geometry/ray_caster.cpp", "#include <embree3/rtcore.h>\n"},
-       {"core/io/mesh_reader.cpp", "#include <assimp/scene.h>\n#include \"planning/planner.h\"\n"},
+       {"core/io/assimp_import.cpp", "#include <assimp/scene.h>\n#include \"planning/planner.h\"\n"},
        {"widgets/vtk/surface.h", "#include <QWidget>\n#include <vtkActor.h>\n#include \"geometry/mesh.h\"\n"},
        {"app/main.cpp", "#include <iostream>\n#include \"widgets/vtk/surface.h\"\n#include \"cli/command.h\"\n"},
        {"app/cli/command.h", "int main() { std::cout << 1; }\n"}});
@@ -118,8 +118,8 @@ TEST(Layering, AHeavyDependencyHasOneDoor) {
   const std::vector<std::pair<std::string, std::string>> doors{
       {"embree3/rtcore.h", "core/geometry/ray_caster.cpp"},
       {"OpenMesh/Core/Mesh/X.hh", "core/geometry/decimation.cpp"},
-      {"assimp/scene.h", "core/io/mesh_reader.cpp"},
-      {"sqlite3.h", "core/acquisition/session_file.cpp"}};
+      {"assimp/scene.h", "core/io/assimp_import.cpp"},
+      {"sqlite3.h", "core/acquisition/database.cpp"}};
   for (const auto& [header, door] : doors) {
     EXPECT_TRUE(violationsOf(door, includeOf(header)).empty()) << door;
     EXPECT_EQ(violationsOf("core/geometry/mesh.cpp", includeOf(header)).size(), 1U) << header;
