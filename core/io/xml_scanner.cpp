@@ -18,13 +18,17 @@ constexpr std::size_t kMaxAttributes = 256;
 }  // namespace
 
 std::string_view XmlTag::attribute(std::string_view key) const {
-  for (const auto& [name, value] : attributes)
-    if (name == key) return value;
+  for (const auto& attribute : attributes)
+    if (attribute.first == key) return attribute.second;
   return {};
 }
 
 XmlScanner::XmlScanner(std::string_view text, std::string file, std::string part)
-    : text_(text), file_(std::move(file)), part_(std::move(part)) {}
+    : text_(text), file_(std::move(file)), part_(std::move(part)) {
+  if (text_.starts_with("\xef\xbb\xbf")) text_.remove_prefix(3);
+  skipBlanks();
+  if (!text_.substr(at_).starts_with('<')) fail("is no XML document: it is damaged or encrypted");
+}
 
 bool XmlScanner::next(XmlTag& tag) {
   for (;;) {

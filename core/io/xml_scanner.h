@@ -23,6 +23,7 @@ struct XmlTag {
 class XmlScanner {
  public:
   /// @param file and part for messages.
+  /// @throws InvalidInput when the text does not begin with a tag
   XmlScanner(std::string_view text, std::string file, std::string part);
 
   /// The next tag; false at the end of the document.

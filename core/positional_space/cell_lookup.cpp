@@ -20,7 +20,7 @@ CellLookup::CellLookup(const ScannerImages& scanner) {
     const std::uint32_t begin = data.surfaceStart[s];
     const std::uint32_t end = data.surfaceStart[s + 1];
     std::stable_sort(order_.begin() + begin, order_.begin() + end, [&](std::uint32_t a, std::uint32_t b) {
-      return stepOf(data.cells[a].slope[1], kStepsUp) < stepOf(data.cells[b].slope[1], kStepsUp);
+      return stepOf(folded(data.cells[a].slope[1]), kStepsUp) < stepOf(folded(data.cells[b].slope[1]), kStepsUp);
     });
     const auto& surface = scanner.grid().surfaceCell(static_cast<int>(s) / columns, static_cast<int>(s) % columns);
     for (std::uint32_t k = begin; k < end; ++k) addFan(surface, data.cells[order_[k]]);
@@ -41,11 +41,12 @@ void CellLookup::addList(const ScannerImages::Data& data, std::uint32_t begin, s
   list.start = steps_.size();
   longest_ = std::max<std::size_t>(longest_, end - begin);
   list.all = {kAnySlope, -kAnySlope};
-  auto stepUp = [&](std::uint32_t k) { return stepOf(data.cells[order_[k]].slope[1], kStepsUp); };
+  auto stepUp = [&](std::uint32_t k) { return stepOf(folded(data.cells[order_[k]].slope[1]), kStepsUp); };
   for (std::uint32_t k = begin; k < end; ++k) {
     list.all.low = std::min(list.all.low, fans_[k].up.low);
     list.all.high = std::max(list.all.high, fans_[k].up.high);
-    list.margin = std::max(list.margin, 0.5F * (fans_[k].up.high - fans_[k].up.low));
+    const float middle = folded(data.cells[order_[k]].slope[1]);
+    list.margin = std::max({list.margin, folded(fans_[k].up.high) - middle, middle - folded(fans_[k].up.low)});
   }
   if (begin < end) {
     list.firstUp = stepUp(begin);
@@ -66,8 +67,8 @@ void CellLookup::addSteps(std::uint32_t first, std::uint32_t last) {
   const std::size_t start = steps_.size();
   steps_.resize(start + kStepsAcross, {last, first});
   for (std::uint32_t k = first; k < last; ++k) {
-    const int lowest = stepOf(fans_[k].across.low, kStepsAcross);
-    const int highest = stepOf(fans_[k].across.high, kStepsAcross);
+    const int lowest = stepOf(folded(fans_[k].across.low), kStepsAcross);
+    const int highest = stepOf(folded(fans_[k].across.high), kStepsAcross);
     for (int step = lowest; step <= highest; ++step) {
       auto& range = steps_[start + static_cast<std::size_t>(step)];
       range[0] = std::min(range[0], k);

@@ -30,11 +30,13 @@ class CellLookup {
 
   explicit CellLookup(const ScannerImages& scanner);
 
-  /// The step of a slope: uniform in slope / (1 + |slope|), which is cheap and covers all slopes.
-  [[nodiscard]] static int stepOf(float slope, int steps) {
-    const float x = slope / (1.0F + std::abs(slope));
-    const float step = (x + 1.0F) * (0.5F * static_cast<float>(steps));
-    return static_cast<int>(std::min(step, static_cast<float>(steps - 1)));
+  /// All slopes on (-1, 1): slope / (1 + |slope|), which is cheap and makes fans about equally wide.
+  [[nodiscard]] static float folded(float slope) { return slope / (1.0F + std::abs(slope)); }
+
+  /// The step of a folded slope.
+  [[nodiscard]] static int stepOf(float folded, int steps) {
+    const float step = (folded + 1.0F) * (0.5F * static_cast<float>(steps));
+    return static_cast<int>(std::clamp(step, 0.0F, static_cast<float>(steps - 1)));
   }
 
   /// Bounds of the fans of all occupied cells of a surface cell; low > high when there are none.
@@ -44,7 +46,7 @@ class CellLookup {
   [[nodiscard]] std::size_t longest() const { return longest_; }
 
   /// Writes the numbers of the occupied cells whose fan overlaps `seen` to `found`, which has room for longest().
-  /// @param firstAcross, lastAcross steps of seen.across
+  /// @param firstAcross, lastAcross steps of the folded seen.across
   /// @return how many.
   std::size_t findOverlapping(std::size_t surfaceCell, const FanRange& seen, int firstAcross, int lastAcross,
                               std::uint32_t* found) const {
@@ -52,8 +54,8 @@ class CellLookup {
     int first = list.firstUp;
     int last = list.lastUp;
     if (first < last) {
-      first = std::max(first, stepOf(seen.up.low - list.margin, kStepsUp));
-      last = std::min(last, stepOf(seen.up.high + list.margin, kStepsUp));
+      first = std::max(first, stepOf(folded(seen.up.low) - list.margin, kStepsUp));
+      last = std::min(last, stepOf(folded(seen.up.high) + list.margin, kStepsUp));
     }
     std::size_t count = 0;
     for (int step = first; step <= last; ++step) {
@@ -76,7 +78,7 @@ class CellLookup {
   struct List {
     int firstUp = 0;  // steps of the slopes up that are in use
     int lastUp = -1;
-    float margin = 0.0F;      // half the widest fan range up
+    float margin = 0.0F;      // of the folded slopes up, by which fans reach beyond their middle
     std::size_t start = 0;    // of its steps in steps_
     SlopeRange all{};
   };

@@ -209,8 +209,8 @@ void ObservationRays::viewRun(std::size_t r, std::size_t begin, std::size_t end)
   std::int32_t* firstStep = views_.firstStep.data();
   std::int32_t* lastStep = views_.lastStep.data();
   for (std::size_t j = begin; j < end; ++j) {
-    firstStep[j] = CellLookup::stepOf(low[j], CellLookup::kStepsAcross);
-    lastStep[j] = CellLookup::stepOf(high[j], CellLookup::kStepsAcross);
+    firstStep[j] = CellLookup::stepOf(CellLookup::folded(low[j]), CellLookup::kStepsAcross);
+    lastStep[j] = CellLookup::stepOf(CellLookup::folded(high[j]), CellLookup::kStepsAcross);
   }
 }
 
@@ -222,59 +222,72 @@ void ObservationRays::appendRun(std::size_t row, std::size_t begin, std::size_t 
     const std::size_t count =
         lookup_.findOverlapping(row * columnsPerPeriod_ + j % columnsPerPeriod_, seen, views_.firstStep[j],
                                 views_.lastStep[j], overlapping_.data());
-    for (std::size_t k = 0; k < count; ++k) aimAt(row, j, overlapping_[k]);
+    if (count > 0) {
+      const Middle middle = middleOf(row, j);
+      for (std::size_t k = 0; k < count; ++k) aimAt(row, j, middle, overlapping_[k]);
+    }
     if (!aims_.empty())
-      emitAims(j, batch);
+      emitAims(row, j, batch);
     else if (!options_.prune)
       emitMiddle(row, j, batch);
   }
 }
 
+ObservationRays::Middle ObservationRays::middleOf(std::size_t row, std::size_t column) const {
+  const Source& s = source_;
+  const float along = columns_.normalAlong[column];
+  Middle m{};
+  m.normalAcross = columns_.cosine[column] * s.ny - columns_.sine[column] * s.nx;
+  m.normalUp = rows_.normalAxial[row] * s.nz - rows_.normalZ[row] * along;
+  const float normalAhead = rows_.normalAxial[row] * along + rows_.normalZ[row] * s.nz;
+  const float h = views_.ahead[column];
+  const float u = views_.across[column];
+  const float v = views_.up[column];
+  m.front = h * normalAhead + u * m.normalAcross + v * m.normalUp;
+  m.square = h * h + u * u + v * v;
+  return m;
+}
+
 // Solves delta = (I - h K)^-1 (h a - d): where in the surface cell the ranging ray through the source crosses it. Kept
 // when that is inside, within the breakdown angle and the source within range.
-void ObservationRays::aimAt(std::size_t row, std::size_t column, std::uint32_t number) {
+void ObservationRays::aimAt(std::size_t row, std::size_t column, const Middle& middle, std::uint32_t number) {
   const OccupiedCell& cell = scanner_.data().cells[number];
   const float h = views_.ahead[column];
+  const float u = views_.across[column];
+  const float v = views_.up[column];
   const float a = 1.0F - h * cell.fan[0];
   const float d = 1.0F - h * cell.fan[3];
   const float b = h * cell.fan[1];
   const float e = h * cell.fan[2];
-  const float offAcross = h * cell.slope[0] - views_.across[column];
-  const float offUp = h * cell.slope[1] - views_.up[column];
+  const float offAcross = h * cell.slope[0] - u;
+  const float offUp = h * cell.slope[1] - v;
   const float inverse = 1.0F / (a * d - b * e);
   const float across = (d * offAcross + b * offUp) * inverse;
   const float up = (e * offAcross + a * offUp) * inverse;
-  if (!(std::abs(up) <= rows_.halfHeight[row])) return;
-  if (!(std::abs(across) <= rows_.halfWidth[row] * (1.0F - rows_.taper[row] * up))) return;
-
-  const float axial = rows_.axial[row] - up * rows_.normalZ[row];
-  const float x = axial * columns_.cosine[column] - across * columns_.sine[column];
-  const float y = axial * columns_.sine[column] + across * columns_.cosine[column];
-  const float z = rows_.z[row] + up * rows_.normalAxial[row];
-  const float dx = x - source_.px;
-  const float dy = y - source_.py;
-  const float dz = z - source_.pz;
-  const float front = dx * source_.nx + dy * source_.ny + dz * source_.nz;
-  const float square = dx * dx + dy * dy + dz * dz;
-  if (front <= 0.0F || front * front < minCosine_ * minCosine_ * square) return;
-  if (square < range_[number][0] || square > range_[number][1]) return;
-  aims_.push_back({number, cell.receiverSide, across, up, x, y, z, front, square});
+  const float front = middle.front + across * middle.normalAcross + up * middle.normalUp;
+  const float square = middle.square + 2.0F * (across * u + up * v) + across * across + up * up;
+  const float halfWidth = rows_.halfWidth[row] * (1.0F - rows_.taper[row] * up);
+  const int inside = static_cast<int>(std::abs(up) <= rows_.halfHeight[row]) &
+                     static_cast<int>(std::abs(across) <= halfWidth) & static_cast<int>(front > 0.0F) &
+                     static_cast<int>(front * front >= minCosine_ * minCosine_ * square) &
+                     static_cast<int>(square >= range_[number][0]) & static_cast<int>(square <= range_[number][1]);
+  if (inside != 0) aims_.push_back({number, cell.receiverSide, across, up, front, square});
 }
 
-void ObservationRays::emitAims(std::size_t column, ObservationBatch& batch) {
+void ObservationRays::emitAims(std::size_t row, std::size_t column, ObservationBatch& batch) {
   const auto shift = static_cast<std::uint32_t>(column / columnsPerPeriod_ * scanner_.data().cells.size());
   if (aims_.size() == 1) {
     const Aim& aim = aims_.front();
     batch.observations.push_back({source_.index, static_cast<std::uint32_t>(batch.cells.size()), 1});
     batch.cells.push_back({aim.cell + shift, aim.front, aim.square});
-    emitRay(aim.x, aim.y, aim.z, batch);
+    emitRay(row, column, aim.across, aim.up, batch);
     return;
   }
-  while (!aims_.empty()) emitTogether(column, shift, batch);
+  while (!aims_.empty()) emitTogether(row, column, shift, batch);
 }
 
 // Takes out the aim nearest to the middle and all with receivers on its side that are close to it: one observation ray.
-void ObservationRays::emitTogether(std::size_t column, std::uint32_t shift, ObservationBatch& batch) {
+void ObservationRays::emitTogether(std::size_t row, std::size_t column, std::uint32_t shift, ObservationBatch& batch) {
   const auto off = [](const Aim& a) { return a.across * a.across + a.up * a.up; };
   const auto nearest = std::min_element(aims_.begin(), aims_.end(),
                                         [&](const Aim& a, const Aim& b) { return off(a) < off(b); });
@@ -291,24 +304,24 @@ void ObservationRays::emitTogether(std::size_t column, std::uint32_t shift, Obse
     return true;
   });
   batch.observations.push_back({source_.index, first, static_cast<std::uint32_t>(batch.cells.size()) - first});
-  emitRay(aim.x, aim.y, aim.z, batch);
+  emitRay(row, column, aim.across, aim.up, batch);
 }
 
 void ObservationRays::emitMiddle(std::size_t row, std::size_t column, ObservationBatch& batch) const {
-  const float x = rows_.axial[row] * columns_.cosine[column];
-  const float y = rows_.axial[row] * columns_.sine[column];
-  const float z = rows_.z[row];
-  const float dx = x - source_.px;
-  const float dy = y - source_.py;
-  const float dz = z - source_.pz;
-  const float front = dx * source_.nx + dy * source_.ny + dz * source_.nz;
-  if (front <= 0.0F || front * front < minCosine_ * minCosine_ * (dx * dx + dy * dy + dz * dz)) return;
+  const Middle m = middleOf(row, column);
+  if (m.front <= 0.0F || m.front * m.front < minCosine_ * minCosine_ * m.square) return;
   batch.observations.push_back({source_.index, 0, 0});
-  emitRay(x, y, z, batch);
+  emitRay(row, column, 0.0F, 0.0F, batch);
 }
 
-void ObservationRays::emitRay(float x, float y, float z, ObservationBatch& batch) const {
+// Appends the ray to a point of a surface cell.
+void ObservationRays::emitRay(std::size_t row, std::size_t column, float across, float up,
+                              ObservationBatch& batch) const {
   const Source& s = source_;
+  const float axial = rows_.axial[row] - up * rows_.normalZ[row];
+  const float x = axial * columns_.cosine[column] - across * columns_.sine[column];
+  const float y = axial * columns_.sine[column] + across * columns_.cosine[column];
+  const float z = rows_.z[row] + up * rows_.normalAxial[row];
   batch.rays.push_back({s.ox, s.oy, s.oz, 0.0F, x - s.ox, y - s.oy, z - s.oz, 0.0F, 1.0F});
 }
 

@@ -97,14 +97,19 @@ class ObservationRays {
     float inward;       // centre . normal in the horizontal plane
     std::uint32_t index;
   };
+  // The middle q of a surface cell seen from a source p with normal n.
+  struct Middle {
+    float front;   // (q - p) . n
+    float square;  // |q - p|^2
+    float normalAcross;  // n . across
+    float normalUp;      // n . up
+  };
   // Where in a surface cell an observation ray is collinear with the ranging ray of an occupied cell.
   struct Aim {
     std::uint32_t cell;
     std::uint32_t side;
     float across, up;
-    float x, y, z;
-    float front;
-    float square;
+    float front, square;  // as in AimedCell
   };
   // Which surface cells are asked for: those whose middle is within the breakdown angle, those of which any point may
   // be, or those among the latter that have occupied cells to match.
@@ -120,11 +125,12 @@ class ObservationRays {
   void forRuns(Purpose purpose, const Visit& visit);
   void viewRun(std::size_t row, std::size_t begin, std::size_t end);
   void appendRun(std::size_t row, std::size_t begin, std::size_t end, ObservationBatch& batch);
-  void aimAt(std::size_t row, std::size_t column, std::uint32_t cell);
-  void emitAims(std::size_t column, ObservationBatch& batch);
-  void emitTogether(std::size_t column, std::uint32_t shift, ObservationBatch& batch);
+  [[nodiscard]] Middle middleOf(std::size_t row, std::size_t column) const;
+  void aimAt(std::size_t row, std::size_t column, const Middle& middle, std::uint32_t cell);
+  void emitAims(std::size_t row, std::size_t column, ObservationBatch& batch);
+  void emitTogether(std::size_t row, std::size_t column, std::uint32_t shift, ObservationBatch& batch);
   void emitMiddle(std::size_t row, std::size_t column, ObservationBatch& batch) const;
-  void emitRay(float x, float y, float z, ObservationBatch& batch) const;
+  void emitRay(std::size_t row, std::size_t column, float across, float up, ObservationBatch& batch) const;
 
   const ScannerImages& scanner_;
   const CellLookup& lookup_;

@@ -100,9 +100,12 @@ class PositionalSpaceGrid {
 
 /// Positional space for a scanner. The cylinder that the profile asks for is made tall enough that every ranging ray of
 /// every position that meets the viewing volume leaves through it, at the profile's height of a row; where it would have
-/// to be taller than twice the viewing volume (rays from far above), the surface becomes a sphere. Direction cells are
-/// half as wide as the narrowest angle by which rays of one surface cell differ, so that neither the fan of the scanner
-/// nor that of a surface point falls between them.
+/// to be taller than twice the viewing volume (rays from far above), the surface becomes a sphere.
+///
+/// Direction cells are as fine as they can be (0.5 degrees), as the fans of the scanner and of a surface point over a
+/// surface cell are taken into account one by one; nothing falls between cells. Where more than 3 positions look through
+/// a surface cell in directions that differ by less than rays of one position do, direction cells are a third as wide as
+/// that, and positions share them: the cost of an image then does not grow with their number.
 /// @throws Cancelled
 [[nodiscard]] PositionalSpaceGrid makePositionalSpaceGrid(const ScannerProfile& profile, const Progress& progress = {});
 

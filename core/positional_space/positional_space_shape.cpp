@@ -20,10 +20,16 @@ constexpr double kTallest = 2.0;
 constexpr double kLowerRim = 0.031;
 constexpr double kUpperRim = 0.047;
 constexpr double kFirstColumn = 0.283;
-// Bounds on direction cells over pi, and on cells of positional space in all.
-constexpr int kFewestDirections = 19;
+// Direction cells over pi: at most, at least, and by how many the narrowest angle between rays of a cell is divided
+// where positions are so dense that they have to share direction cells.
 constexpr int kMostDirections = 361;
-constexpr double kMostCells = 1.6e7;
+constexpr int kFewestDirections = 19;
+constexpr double kSharedParts = 3.0;
+// Positions whose rays differ by no more than rays of one surface cell do: more than this many are dense.
+constexpr double kDense = 3.0;
+// Where that is looked at.
+constexpr std::size_t kDensityCells = 24;
+constexpr std::size_t kDensityPoses = 4000;
 
 // Poses of which the others are turns about z: positional space looks the same for those.
 std::vector<Pose> posesUpToTurns(const Workspace& workspace) {
@@ -164,6 +170,30 @@ FanWidths fanWidths(const ScannerProfile& profile, const PositionalSpaceShape& s
   return {median(across), median(up)};
 }
 
+// How many positions' rays leave through a surface cell in about the same direction, on average over rays.
+double positionDensity(const ScannerProfile& profile, const PositionalSpaceShape& shape, const FanWidths& widths) {
+  const PositionalSpaceGrid grid(shape);
+  const RayFan fan(*profile.rays, 4.0 * shape.radius);
+  const auto& cells = grid.surfaceCells();
+  const auto& poses = profile.workspace.poses;
+  const std::size_t cellStride = std::max<std::size_t>(1, cells.size() / kDensityCells);
+  const std::size_t poseStride = (poses.size() + kDensityPoses - 1) / kDensityPoses;
+  std::size_t rays = 0;
+  std::size_t close = 0;
+  for (std::size_t c = 0; c < cells.size(); c += cellStride) {
+    std::vector<Vec2> directions;
+    std::optional<GridPosition> hint;
+    for (std::size_t i = 0; i < poses.size(); i += poseStride)
+      if (const auto ray = fan.through(cells[c], poses[i], hint))
+        directions.emplace_back(std::atan(ray->slope[0]), std::asin(ray->direction.dot(cells[c].up)));
+    rays += directions.size();
+    for (const Vec2& a : directions)
+      for (const Vec2& b : directions)
+        if (std::abs(a[0] - b[0]) < 0.5 * widths.across && std::abs(a[1] - b[1]) < 0.5 * widths.up) ++close;
+  }
+  return rays == 0 ? 0.0 : static_cast<double>(close * poseStride) / static_cast<double>(rays);
+}
+
 }  // namespace
 
 PositionalSpaceGrid makePositionalSpaceGrid(const ScannerProfile& profile, const Progress& progress) {
@@ -172,14 +202,9 @@ PositionalSpaceGrid makePositionalSpaceGrid(const ScannerProfile& profile, const
   shape.firstColumn = kFirstColumn * 2.0 * kPi / shape.columns;
   const FanWidths widths = fanWidths(profile, shape, poses);
   const double narrowest = std::min(widths.across, widths.up);
-  // At most one direction of each position and surface cell is occupied; more cells than positions never matter.
-  const double surfaceCells = static_cast<double>(shape.rows) * shape.columns;
-  const double affordable = std::sqrt(kMostCells / surfaceCells);
-  int most = kMostDirections;
-  if (static_cast<double>(profile.workspace.size()) * surfaceCells > kMostCells)
-    most = std::clamp(static_cast<int>(affordable), kFewestDirections, kMostDirections);
-  const int directions = std::clamp(static_cast<int>(std::ceil(kPi / (0.5 * narrowest))), kFewestDirections, most);
-  shape.directions = directions + (directions + 1) % 2;
+  const bool dense = positionDensity(profile, shape, widths) > kDense;
+  const int shared = static_cast<int>(std::ceil(kPi / narrowest * kSharedParts)) | 1;
+  shape.directions = dense ? std::clamp(shared, kFewestDirections, kMostDirections) : kMostDirections;
   shape.angularError = 0.5 * std::max(widths.across, widths.up) + 0.5 * kPi / shape.directions;
   return PositionalSpaceGrid(shape);
 }

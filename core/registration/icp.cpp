@@ -67,6 +67,30 @@ double explainedDeviation(const ViewSurface& surface) {
   return std::sqrt(2.0) * surface.noise() + 0.03 * surface.view().spacing;
 }
 
+RegistrationResult summary(const Fit& fit, const PosePrior& prior) {
+  RegistrationResult result;
+  result.T_object_scanner = fit.T_object_scanner;
+  result.iterations = fit.iterations;
+  countPairs(fit.pairs, result);
+  PairStability stability;
+  stability.add(fit.pairs, fit.T_object_scanner);
+  result.stability = stability.analyse(fit.sigma);
+  result.poseSigma = sigmaWithPrior(result.stability, prior);
+  return result;
+}
+
+Evidence evidenceOf(const RegistrationResult& result, const Fit& fit, const ViewSurface& surface) {
+  Evidence evidence;
+  evidence.pairs = result.pairs;
+  evidence.inlierShare = result.inlierShare;
+  evidence.conflictShare = result.conflictShare;
+  evidence.residual = fit.sigma / std::max(explainedDeviation(surface), 1e-9);
+  evidence.heldByPrior = fit.heldByPrior;
+  evidence.settled = fit.settled;
+  evidence.stability = result.stability;
+  return evidence;
+}
+
 }  // namespace
 
 RegistrationResult registerView(const ViewMesh& view, const RayGrid& rays, const Pose& T_object_scanner,
@@ -90,24 +114,11 @@ RegistrationResult registerView(const ViewSurface& surface, const Pose& T_object
                               {options.finalGate, options.finalGate, options.tolerance, options.maxIterations},
                               progress.part(0.4, 0.8));
 
-  RegistrationResult result;
-  result.T_object_scanner = fit.T_object_scanner;
-  result.iterations = rough.iterations + fit.iterations;
-  countPairs(fit.pairs, result);
-  PairStability stability;
-  stability.add(fit.pairs, fit.T_object_scanner);
-  result.stability = stability.analyse(fit.sigma);
-  result.poseSigma = sigmaWithPrior(result.stability, prior);
-
-  Evidence evidence;
-  evidence.pairs = result.pairs;
-  evidence.inlierShare = result.inlierShare;
-  evidence.conflictShare = result.conflictShare;
-  evidence.residual = fit.sigma / std::max(explainedDeviation(surface), 1e-9);
+  RegistrationResult result = summary(fit, prior);
+  result.iterations += rough.iterations;
+  Evidence evidence = evidenceOf(result, fit, surface);
   evidence.motion = aligner.motionInSigmas(fit.T_object_scanner);
-  evidence.heldByPrior = fit.heldByPrior;
-  evidence.settled = fit.settled;
-  evidence.stability = result.stability;
+  // Only a pose that would be believed needs to fear rivals.
   if (options.searchRivals && judge(evidence, options.limits).verdict == Verdict::Good)
     evidence.rivalDistance =
         findRival(aligner, fit, many, result.stability, prior, options, progress.part(0.8, 1.0)).distance;

@@ -67,10 +67,11 @@ TEST(AutomaticRun, StopsAtTheMostViewsAllowed) {
 
 TEST(AutomaticRun, UniformTakesEquallySpacedPositions) {
   AcquisitionSettings settings;
-  settings.strategy = parseStrategy("uniform:4");
+  settings.strategy = parseStrategy("uniform:8");
   const AcquisitionState state = acquireSmallObject(settings, 2);
-  ASSERT_EQ(state.records.size(), 4U);
-  for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(state.records[i].position, static_cast<int>(6 * i));
+  ASSERT_EQ(state.records.size(), 8U);
+  for (std::size_t i = 0; i < 8; ++i) EXPECT_EQ(state.records[i].position, static_cast<int>(3 * i));
+  EXPECT_EQ(state.termination, Termination::Finished);
 }
 
 TEST(AutomaticRun, ObserverHearsOfEveryStepAndCancellingLeavesTheLastOneWhole) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/errors.h"
@@ -23,24 +24,20 @@ Height flat(double z) {
   return [z](double, double) { return z; };
 }
 
-// Of the vertices around the middle of a 41 x 41 window, farther from its border than views fade.
-template <typename Visit>
-void visitInside(const Model& model, const Visit& visit) {
-  for (std::size_t v = 0; v < model.mesh.vertices.size(); ++v) {
-    const Vec3& p = model.mesh.vertices[v];
-    if (std::abs(p.x() - 20.0) < 10.0 && std::abs(p.y() - 20.0) < 10.0) visit(v);
-  }
+// Farthest that a vertex is from the height, of those around the middle of a 41 x 41 window where views do not fade.
+double deviationInside(const Model& model, double z) {
+  double worst = 0.0;
+  for (const Vec3& p : model.mesh.vertices)
+    if (std::abs(p.x() - 20.0) < 10.0 && std::abs(p.y() - 20.0) < 10.0) worst = std::max(worst, std::abs(p.z() - z));
+  return worst;
 }
 
 TEST(Consensus, AveragesByTheFormula) {
   const std::vector<View> views{lookDown({41, 41, 0, 0}, flat(0.2)), lookDown({41, 41, 0.5, 0.5}, flat(-0.2))};
   const Model model = integrateView({}, views, 0, {}).model;
-  const Model result = applyConsensus(model, views, {});
   // The limit is 0.8 spacings of 1 mm; the second view is off by half of it and counts (1 - 1/4)^2.
   const double weight = 0.5625;
-  visitInside(result, [&](std::size_t v) {
-    EXPECT_NEAR(result.mesh.vertices[v].z(), 0.2 - 0.4 * weight / (1.0 + weight), 1e-5);
-  });
+  EXPECT_LT(deviationInside(applyConsensus(model, views, {}), 0.2 - 0.4 * weight / (1.0 + weight)), 1e-5);
 }
 
 TEST(Consensus, ViewCountsByItsConfidence) {
@@ -48,22 +45,19 @@ TEST(Consensus, ViewCountsByItsConfidence) {
   Pose oblique = Pose::Identity();
   oblique.translate(Vec3(20, 20, 0));
   oblique.rotate(Eigen::AngleAxisd(radians(60.0), Vec3::UnitY()));
-  const auto tilted = [](double x, double) { return -std::tan(radians(60.0)) * x + 0.1 / std::cos(radians(60.0)); };
+  const auto tilted = [](double x, double) { return std::tan(radians(60.0)) * x + 0.1 / std::cos(radians(60.0)); };
   const std::vector<View> views{lookDown({41, 41, 0, 0}, flat(0.0)), lookDown({81, 41, -20, -40}, tilted, oblique)};
   const Model model = integrateView({}, views, 0, {}).model;
   const Model result = applyConsensus(model, views, {});
   const double fade = std::pow(1.0 - std::pow(0.1 / 0.8, 2.0), 2.0);
-  visitInside(result, [&](std::size_t v) {
-    EXPECT_NEAR(result.mesh.vertices[v].z(), 0.1 * 0.5 * fade / (1.0 + 0.5 * fade), 1e-4);
-    EXPECT_NEAR(result.confidence[v], 1.0, 1e-4);
-  });
+  EXPECT_LT(deviationInside(result, 0.1 * 0.5 * fade / (1.0 + 0.5 * fade)), 1e-4);
+  EXPECT_NEAR(*std::min_element(result.confidence.begin(), result.confidence.end()), 1.0, 1e-4);
 }
 
 TEST(Consensus, SurfaceBeyondTheLimitHasNoSay) {
   const std::vector<View> views{lookDown({41, 41, 0, 0}, flat(0.0)), lookDown({41, 41, 0.5, 0.5}, flat(-0.9))};
   const Model model = integrateView({}, views, 0, {}).model;
-  const Model result = applyConsensus(model, views, {});
-  visitInside(result, [&](std::size_t v) { EXPECT_NEAR(result.mesh.vertices[v].z(), 0.0, 1e-5); });
+  EXPECT_LT(deviationInside(applyConsensus(model, views, {}), 0.0), 1e-5);
 }
 
 TEST(Consensus, UndersideOfAThinPlateHasNoSay) {
@@ -71,8 +65,7 @@ TEST(Consensus, UndersideOfAThinPlateHasNoSay) {
   fromBelow.rotate(Eigen::AngleAxisd(kPi, Vec3::UnitX()));
   const std::vector<View> views{lookDown({41, 41, 0, 0}, flat(0.0)), lookDown({41, 41, 0, -40}, flat(0.3), fromBelow)};
   const Model model = integrateView({}, views, 0, {}).model;
-  const Model result = applyConsensus(model, views, {});
-  visitInside(result, [&](std::size_t v) { EXPECT_NEAR(result.mesh.vertices[v].z(), 0.0, 1e-5); });
+  EXPECT_LT(deviationInside(applyConsensus(model, views, {}), 0.0), 1e-5);
 }
 
 TEST(Consensus, KeepsTopologyAndProvenance) {

@@ -1,4 +1,5 @@
 #include "io/mesh_reader.h"
+#include "io/file_bytes.h"
 
 #include <sys/stat.h>
 
@@ -6,6 +7,7 @@
 
 #include "core/io/expect_error.h"
 #include "geometry/measures.h"
+#include "io/file_bytes.h"
 #include "io/mesh_writer.h"
 #include "support/meshes.h"
 #include "support/test_data.h"

@@ -41,6 +41,8 @@ TEST(XmlScanner, RefusesWhatIsNotWellFormedByLine) {
   refuse("<a>\n<b>", {"file: part, line 2", "'b'", "truncated"});
   refuse("<a>\n<b x='1", {"line 2", "truncated"});
   refuse("<a>\n<b x='1'", {"'b'", "truncated"});
+  refuse("garbage", {"no XML", "encrypted"});
+  refuse("", {"no XML"});
   refuse("<a></b>", {"'b'", "no beginning"});
   refuse("</a>", {"'a'", "no beginning"});
   refuse("<a x>", {"'x'", "no value"});

@@ -115,11 +115,12 @@ TEST(PositionalSpaceGrid, RaysFromAboveMakeTheCylinderTallerAndRaysFromFarAboveA
   EXPECT_EQ(makePositionalSpaceGrid(testing::tiltedPinhole("0, 70")).shape().surface, PositionalSpaceSurface::Sphere);
 }
 
-TEST(PositionalSpaceGrid, DirectionCellsAreNarrowerThanWhatRaysOfASurfaceCellDifferBy) {
-  // Parallel rays differ by nothing; seen from the axis, a surface cell is 4 degrees wide.
-  const PositionalSpaceGrid grid = makePositionalSpaceGrid(testing::linearStripe());
-  EXPECT_LE(grid.directionStep(), radians(2.0) + 1e-9);
-  EXPECT_GE(grid.directionStep(), radians(0.5));
+TEST(PositionalSpaceGrid, ManyPositionsShareDirectionCellsThatAreNarrowerThanASurfaceCellLooks) {
+  EXPECT_LT(makePositionalSpaceGrid(testing::linearStripe(90)).directionStep(), radians(0.5));
+  // Parallel rays differ by nothing; seen from the axis, a surface cell is 4 degrees wide, of which this is a third.
+  const PositionalSpaceGrid grid = makePositionalSpaceGrid(testing::linearStripe(900));
+  EXPECT_LE(grid.directionStep(), radians(4.0 / 3.0));
+  EXPECT_GE(grid.directionStep(), radians(0.8));
   EXPECT_GT(grid.shape().angularError, radians(2.0));
   EXPECT_LT(grid.shape().angularError, radians(5.0));
 }

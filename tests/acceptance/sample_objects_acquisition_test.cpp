@@ -1,0 +1,69 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+
+#include "acquisition/automatic_run.h"
+#include "acquisition/evaluation.h"
+#include "geometry/measures.h"
+#include "io/mesh_reader.h"
+#include "scanner/simulated_scanner.h"
+
+// The main job on what is shipped: the sample objects before the sample scanner, with noise and mechanical errors.
+
+namespace vantage {
+namespace {
+
+struct Acquired {
+  AcquisitionState state;
+  Evaluation evaluation;
+};
+
+Acquired acquireSample(const std::string& name) {
+  const std::string resources = std::string(VANTAGE_SOURCE_DIR) + "/resources/";
+  const auto profile = std::make_shared<const ScannerProfile>(loadProfile(resources + "scanners/rotating_stripe.json"));
+  const Mesh object = loadMesh(resources + "objects/" + name + ".ply").mesh;
+  const Progress progress = Progress().withThreads(2);
+  const ScannerImages images = computeScannerImages(*profile, progress);
+  SimulatedScanner scanner(object, profile, {});
+  Acquired result;
+  result.state.profile = profile;
+  result.state = acquire(result.state, scanner, images, {}, {}, progress);
+  result.evaluation = evaluate(result.state.model->mesh, object, *profile, {}, progress);
+  return result;
+}
+
+// What every acquisition must keep: no wrong surface, no broken mesh, an end of its own.
+void expectSound(const Acquired& acquired) {
+  EXPECT_EQ(acquired.state.termination, Termination::Finished);
+  EXPECT_LE(acquired.evaluation.rms, 0.15);
+  EXPECT_LE(acquired.evaluation.falseSurface, 0.002);
+  EXPECT_EQ(measure(acquired.state.model->mesh).nonManifoldEdges, 0U);
+  for (const PatchOutlook& outlook : acquired.state.records.back().plan->outlook)
+    EXPECT_LE(static_cast<int>(outlook.reason), static_cast<int>(EdgeReason::Answered));
+}
+
+TEST(SampleObjects, MugIsCompleteInEightViews) {
+  const Acquired mug = acquireSample("mug");
+  expectSound(mug);
+  EXPECT_LE(mug.state.views.size(), 8U);
+  EXPECT_GE(mug.evaluation.coverage, 0.985);
+}
+
+TEST(SampleObjects, HandsetIsCompleteInFourteenViews) {
+  const Acquired handset = acquireSample("handset");
+  expectSound(handset);
+  EXPECT_LE(handset.state.views.size(), 14U);
+  EXPECT_GE(handset.evaluation.coverage, 0.97);
+}
+
+// Its wings, arms and tail hide so much of it that 20 views chosen with full knowledge of the object cover 98 %.
+TEST(SampleObjects, CandleHolderIsNearlyCompleteInTwentyViews) {
+  const Acquired candleHolder = acquireSample("candle_holder");
+  expectSound(candleHolder);
+  EXPECT_LE(candleHolder.state.views.size(), 20U);
+  EXPECT_GE(candleHolder.evaluation.coverage, 0.95);
+}
+
+}  // namespace
+}  // namespace vantage

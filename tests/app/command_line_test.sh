@@ -1,0 +1,78 @@
+#!/usr/bin/env bash
+# Runs vantage-cli as a script would. Usage: command_line_test.sh VANTAGE_CLI SOURCE_DIR
+set -uo pipefail
+cli=$1
+source_dir=$2
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+failures=0
+
+# expect EXIT_CODE TEXT COMMAND...: runs the command and looks for the text in what it prints.
+expect() {
+  local code=$1 text=$2
+  shift 2
+  local out
+  out=$("$@" 2>&1)
+  local got=$?
+  if [[ $got -ne $code ]]; then
+    echo "FAIL: exit code $got, expected $code: $*"
+    echo "$out" | head -5
+    failures=$((failures + 1))
+  elif [[ $out != *"$text"* ]]; then
+    echo "FAIL: no '$text' in the output of: $*"
+    echo "$out" | head -5
+    failures=$((failures + 1))
+  fi
+}
+
+mug=$source_dir/resources/objects/mug.ply
+scanner=$source_dir/resources/scanners/rotating_stripe.json
+
+expect 0 "acquire" "$cli" --help
+expect 0 "--strategy" "$cli" acquire --help
+expect 2 "" "$cli"
+expect 2 "" "$cli" fly
+expect 2 "" "$cli" acquire --object "$mug"
+expect 2 "uniform" "$cli" acquire --object "$mug" --scanner "$scanner" --out "$work/a" --strategy best
+
+expect 0 "profile" "$cli" info "$scanner"
+expect 0 "mesh" "$cli" info "$mug"
+expect 1 "nothing.ply" "$cli" info "$work/nothing.ply"
+: >"$work/empty.ply"
+expect 1 "empty.ply" "$cli" info "$work/empty.ply"
+printf 'ply\nformat ascii 1.0\nelement vertex 999999999\n' >"$work/truncated.ply"
+expect 1 "truncated.ply" "$cli" acquire --object "$work/truncated.ply" --scanner "$scanner" --out "$work/a"
+sed 's/"breakdown_angle_deg": [0-9.]*/"breakdown_angle_deg": 95/' "$scanner" >"$work/steep.json"
+expect 1 "/scanner/breakdown_angle_deg" "$cli" acquire --object "$mug" --scanner "$work/steep.json" --out "$work/a"
+expect 1 "first-view" "$cli" acquire --object "$mug" --scanner "$scanner" --out "$work/a" --first-view 900
+
+expect 0 "2 views" "$cli" acquire --object "$mug" --scanner "$scanner" --out "$work/run" --max-views 2
+for file in session.vantage model.ply model.stl report.json; do
+  [[ -s $work/run/$file ]] || { echo "FAIL: $file was not written"; failures=$((failures + 1)); }
+done
+expect 0 "session" "$cli" info "$work/run/session.vantage"
+expect 0 "next best view" "$cli" plan "$work/run/session.vantage"
+expect 0 '"asked"' "$cli" plan "$work/run/session.vantage" --position 3 --json
+expect 0 "triangles" "$cli" export "$work/run/session.vantage" --out "$work/run/model.obj"
+expect 1 "model.xyz" "$cli" export "$work/run/session.vantage" --out "$work/run/model.xyz"
+expect 0 "covered" "$cli" evaluate "$work/run/session.vantage" --object "$mug" --scanner "$scanner"
+
+# Same input, same bytes, for any number of threads.
+"$cli" acquire --object "$mug" --scanner "$scanner" --out "$work/one" --max-views 2 --threads 1 >/dev/null 2>&1
+cmp "$work/run/model.ply" "$work/one/model.ply" || failures=$((failures + 1))
+
+# Interrupted: exit code 3, and a session that opens.
+"$cli" acquire --object "$mug" --scanner "$scanner" --out "$work/stopped" >"$work/log" 2>&1 &
+pid=$!
+for _ in $(seq 100); do
+  grep -q "^view 1" "$work/log" && break
+  sleep 0.1
+done
+kill -INT $pid
+wait $pid
+code=$?
+[[ $code -eq 3 ]] || { echo "FAIL: exit code $code after SIGINT, expected 3"; failures=$((failures + 1)); }
+expect 0 "session" "$cli" info "$work/stopped/session.vantage"
+
+echo "$failures failures"
+[[ $failures -eq 0 ]]
