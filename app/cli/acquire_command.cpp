@@ -80,6 +80,8 @@ class AcquireCommand {
     try {
       last_ = acquire(last_, scanner, images, args_.settings, [&](const AcquisitionState& state) { record(session, state); },
                       context_.progress());
+    } catch (const InvalidInput& e) {
+      throw InvalidInput(args_.settings.object + ": " + e.what());
     } catch (const Cancelled&) {
       last_.termination = Termination::Cancelled;
       session.save(last_);

@@ -42,33 +42,41 @@ class Gap {
     }
   }
 
-  // Brings the view's kept triangles into the model. @return how many.
-  std::size_t addViewTriangles() {
+  // Brings what is kept of the view into the model. @return how many triangles.
+  std::size_t addView() {
+    atGap_ = viewVerticesAtGap();
+    std::vector<std::uint8_t> used = atGap_;
+    for (std::size_t t = 0; t < cut_.triangleKept.size(); ++t)
+      if (cut_.triangleKept[t])
+        for (const std::uint32_t v : view_.mesh.triangles[t]) used[v] = 1;
+    for (std::uint32_t v = 0; v < used.size(); ++v)
+      if (used[v])
+        modelVertexOf_[v] = editor_.addVertex(surface_.T_object_scanner() * view_.mesh.vertices[v], view_.confidence[v],
+                                              newView_, view_.sample[v]);
     std::size_t added = 0;
     for (std::size_t t = 0; t < cut_.triangleKept.size(); ++t) {
       if (!cut_.triangleKept[t]) continue;
       const Triangle& v = view_.mesh.triangles[t];
-      added += editor_.addTriangle({modelVertex(v[0]), modelVertex(v[1]), modelVertex(v[2])}, newView_) ? 1 : 0;
+      added += editor_.addTriangle({modelVertexOf_[v[0]], modelVertexOf_[v[1]], modelVertexOf_[v[2]]}, newView_) ? 1 : 0;
     }
     return added;
   }
 
   // Points and constraints of the view where triangles were cut off, and of its own border where the model's is near.
   void addViewBorder() {
-    const std::vector<std::uint8_t> atGap = viewVerticesAtGap();
     std::vector<std::uint32_t> pointOfView(view_.sample.size(), kNoIndex);
-    for (std::uint32_t v = 0; v < atGap.size(); ++v) {
-      if (!atGap[v]) continue;
+    for (std::uint32_t v = 0; v < atGap_.size(); ++v) {
+      if (!atGap_[v]) continue;
       pointOfView[v] = static_cast<std::uint32_t>(points.size());
       points.push_back(surface_.planePoint(view_.sample[v]));
-      vertices.push_back(modelVertex(v));
+      vertices.push_back(modelVertexOf_[v]);
     }
     for (std::size_t t = 0; t < cut_.triangleKept.size(); ++t) {
       if (!cut_.triangleKept[t]) continue;
       for (int k = 0; k < 3; ++k) {
         const std::uint32_t a = view_.mesh.triangles[t][k];
         const std::uint32_t b = view_.mesh.triangles[t][(k + 1) % 3];
-        if (atGap[a] && atGap[b] && editor_.triangleAt(modelVertexOf_[b], modelVertexOf_[a]) == kNoIndex)
+        if (atGap_[a] && atGap_[b] && editor_.triangleAt(modelVertexOf_[b], modelVertexOf_[a]) == kNoIndex)
           constraints.push_back({pointOfView[a], pointOfView[b]});
       }
     }
@@ -81,13 +89,6 @@ class Gap {
   std::vector<std::array<std::uint32_t, 2>> constraints;
 
  private:
-  std::uint32_t modelVertex(std::uint32_t v) {
-    std::uint32_t& found = modelVertexOf_[v];
-    if (found == kNoIndex)
-      found = editor_.addVertex(surface_.T_object_scanner() * view_.mesh.vertices[v], view_.confidence[v], newView_, view_.sample[v]);
-    return found;
-  }
-
   [[nodiscard]] std::vector<std::uint8_t> viewVerticesAtGap() const {
     std::vector<std::uint8_t> atGap(view_.sample.size(), 0);
     for (std::size_t t = 0; t < cut_.triangleKept.size(); ++t)
@@ -114,6 +115,7 @@ class Gap {
   std::uint32_t newView_;
   std::uint32_t modelVertices_;
   std::vector<std::uint32_t> pointOf_;
+  std::vector<std::uint8_t> atGap_;  // per vertex of the view
   std::vector<std::uint32_t> modelVertexOf_;
 };
 
@@ -181,7 +183,7 @@ Seam stitch(ModelEditor& editor, std::span<const ProjectedVertex> projected, con
   Gap gap(editor, projected, surface, cut, newView);
   gap.addModelBorder();
   Seam seam;
-  seam.viewTriangles = gap.addViewTriangles();
+  seam.viewTriangles = gap.addView();
   gap.addViewBorder();
 
   ConstrainedDelaunay delaunay(gap.points);

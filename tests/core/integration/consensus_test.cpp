@@ -86,9 +86,9 @@ TEST(Consensus, NoiseAveragesOut) {
     for (const Vec3& v : m.mesh.vertices) sum += std::pow(v.norm() - 30.0, 2.0);
     return std::sqrt(sum / static_cast<double>(m.mesh.vertices.size()));
   };
-  // About four views see a vertex, and interpolation averages more: at least a halving.
+  // Away from the poles about four views see a vertex.
   EXPECT_GT(rms(model), 0.07);
-  EXPECT_LT(rms(applyConsensus(model, views, {})), 0.5 * rms(model));
+  EXPECT_LT(rms(applyConsensus(model, views, {})), 0.6 * rms(model));
 }
 
 TEST(Consensus, NumberOfThreadsChangesNothing) {

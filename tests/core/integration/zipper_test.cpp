@@ -61,9 +61,10 @@ TEST(Zipper, OverlappingGridsBecomeOneDisc) {
 
 TEST(Zipper, AbuttingGridsAreStitchedButDistantOnesAreNot) {
   const View left = lookDown({11, 11, 0, 0}, flat(0.0));
-  const std::vector<View> near{left, lookDown({11, 11, 10.9, 0.3}, flat(0.0))};
+  const auto from = [](double edge) { return [=](double x, double) { return x < edge ? kNothing : 0.0; }; };
+  const std::vector<View> near{left, lookDown({11, 16, 5.9, 0.3}, from(10.8))};
   expectDisc(zipper(near, {}).model.mesh);
-  const std::vector<View> far{left, lookDown({11, 11, 15.0, 0.3}, flat(0.0))};
+  const std::vector<View> far{left, lookDown({11, 16, 5.9, 0.3}, from(14.8))};
   EXPECT_EQ(measure(zipper(far, {}).model.mesh).components, 2U);
 }
 
@@ -104,13 +105,13 @@ TEST(Zipper, UndersideIsNotTakenForTheTop) {
 }
 
 TEST(Zipper, BetterViewReplacesSteepSurfaceFromTheBorderInwards) {
-  // A slope of 60 degrees, and a scanner that looks at it squarely over most of it.
+  // A slope of 55 degrees, and a scanner that looks at it squarely from near its upper end to beyond the lower.
   const double slope = std::tan(radians(55.0));
   const auto roof = [=](double x, double) { return x < 15.0 ? 0.0 : -slope * (x - 15.0); };
   Pose square = Pose::Identity();
   square.translate(Vec3(20, 10, -5 * slope));
   square.rotate(Eigen::AngleAxisd(radians(55.0), Vec3::UnitY()));
-  const std::vector<View> views{lookDown({21, 26, 0, 0}, roof), lookDown({21, 15, -7, -10}, flat(0.0), square)};
+  const std::vector<View> views{lookDown({21, 26, 0, 0}, roof), lookDown({21, 22, -6, -10}, flat(0.0), square)};
   const Integration result = zipper(views, {});
   EXPECT_GT(result.statistics.removedFromModel, 50U);
   EXPECT_EQ(measure(result.model.mesh).components, 1U);
