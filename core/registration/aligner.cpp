@@ -93,7 +93,9 @@ Fit Aligner::run(const Pose& T_object_scanner, const std::vector<std::uint32_t>&
   double gate = schedule.firstGate;
   int finalRounds = 0;
   while (true) {
-    findPairs(model_.surface(), ids, fit.T_object_scanner.inverse(), surface_, gatesAt(gate), positions, progress, fit.pairs);
+    const double done = fit.iterations / (schedule.maxIterations + 1.0);
+    const Progress round = progress.part(done, done + 1.0 / (schedule.maxIterations + 1.0));
+    findPairs(model_.surface(), ids, fit.T_object_scanner.inverse(), surface_, gatesAt(gate), positions, round, fit.pairs);
     fit.sigma = std::max(leastSigma, 1.4826 * medianDistance(fit.pairs));
     if (fit.settled || fit.iterations == schedule.maxIterations) return fit;
     const Step step = solve(fit.T_object_scanner, fit.pairs, fit.sigma, finalRounds < kFullSteps ? 1.0 : 0.5);

@@ -137,16 +137,18 @@ class Refiner {
   }
 
   void settle(std::vector<ViewLink>& links, double gate, double tolerance, const Progress& progress, int& iterations) {
+    const double rounds = options_.maxIterations + 1.0;
     for (int round = 0; round < options_.maxIterations; ++round) {
-      findPairs(views_, poses_, gatesAt(gate), progress, links);
+      const Progress part = progress.part(round / rounds, (round + 1) / rounds);
+      findPairs(views_, poses_, gatesAt(gate), part.part(0.0, 0.8), links);
       const double sigma = std::max(kLeastSigma, deviation(links));
-      const double moved = step(links, sigma, progress);
+      const double moved = step(links, sigma, part.part(0.8, 1.0));
       ++iterations;
       if (gate <= options_.finalGate && moved < tolerance) break;
       const double wanted = moved < 0.1 * gate ? std::min(0.5 * gate, 4.0 * sigma) : 4.0 * sigma;
       gate = std::max(options_.finalGate, std::min(gate, wanted));
     }
-    findPairs(views_, poses_, gatesAt(options_.finalGate), progress, links);
+    findPairs(views_, poses_, gatesAt(options_.finalGate), progress.part(1.0 - 1.0 / rounds, 1.0), links);
   }
 
   // One Gauss-Newton step of all poses but the first; returns how far the farthest view moves [mm].

@@ -63,6 +63,7 @@ std::string nameMotion(const Vec6& motion) {
 }
 
 WeakDirection weakestDirection(const Vec6& eigenvalues, const Mat6& eigenvectors) {
+  if (eigenvalues[5] <= 0.0) return {eigenvectors.col(0), "moves freely"};
   const double limit = std::max(kSameFactor * eigenvalues[0], kNothing * eigenvalues[5]);
   int count = 1;
   while (count < 6 && eigenvalues[count] <= limit) ++count;

@@ -19,7 +19,8 @@ struct WeakDirection {
 
 /// The weakest direction of an information matrix given by its eigenvalues (ascending) and eigenvectors. Where several
 /// eigenvalues are about equally small (a plane lets go of three motions at once) any mixture of them is as weak:
-/// the simplest is named, slides before turns and x before y before z, and the others follow, joined by "and".
+/// the simplest is named, slides before turns and x before y before z, and the others follow, joined by "and". Without
+/// any information it "moves freely".
 [[nodiscard]] WeakDirection weakestDirection(const Vec6& eigenvalues, const Mat6& eigenvectors);
 
 }  // namespace vantage

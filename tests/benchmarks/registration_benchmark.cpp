@@ -7,13 +7,12 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
-#include <cstdlib>
-#include <fstream>
+#include <exception>
 #include <functional>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "recorded_views.h"
 #include "registration/icp.h"
 #include "registration/multi_view.h"
 
@@ -24,16 +23,6 @@ namespace {
 constexpr int kThreads = 2;
 constexpr int kRuns = 5;
 const Vec3 kCentre(0, 0, 140);
-
-// The head of a range file: a pinhole scanner that looks at kCentre.
-struct FileHead {
-  int columns;
-  int rows;
-  double focalLength;  // [pixels]
-  double distance;     // [mm]
-  double elevation;    // [deg]
-  double angle;        // [deg] of the turntable
-};
 
 // splitmix64 and Box-Muller: the disturbed poses are the same on every side of the comparison.
 class SharedRandom {
@@ -73,48 +62,7 @@ Pose disturbance(std::uint64_t seed, double angle, double shift) {
   return motion;
 }
 
-Pose poseOf(const FileHead& head) {
-  const double a = radians(head.angle);
-  const double e = radians(head.elevation);
-  const Vec3 eye = kCentre + head.distance * Vec3(std::cos(e) * std::cos(a), std::cos(e) * std::sin(a), std::sin(e));
-  const Vec3 forward = (kCentre - eye).normalized();
-  const Vec3 right = forward.cross(Vec3::UnitZ()).normalized();
-  Pose pose = Pose::Identity();
-  pose.linear() << right, forward.cross(right), forward;
-  pose.translation() = eye;
-  return pose;
-}
-
-View readView(const std::string& path) {
-  std::ifstream in(path, std::ios::binary);
-  FileHead head{};
-  in.read(reinterpret_cast<char*>(&head), sizeof head);
-  if (!in || head.columns < 2 || head.rows < 2) throw std::runtime_error("cannot read " + path);
-  const std::size_t count = static_cast<std::size_t>(head.columns) * static_cast<std::size_t>(head.rows);
-  std::vector<float> depth(count);
-  in.read(reinterpret_cast<char*>(depth.data()), static_cast<std::streamsize>(count * sizeof(float)));
-  if (!in) throw std::runtime_error("cannot read " + path);
-
-  auto image = std::make_shared<RangeImage>();
-  image->T_object_scanner = poseOf(head);
-  std::vector<RangingRay> rays;
-  for (int r = 0; r < head.rows; ++r) {
-    for (int c = 0; c < head.columns; ++c) {
-      const Vec3 d((c + 0.5 - head.columns / 2.0) / head.focalLength, (r + 0.5 - head.rows / 2.0) / head.focalLength, 1);
-      rays.push_back({Vec3::Zero(), d.normalized()});
-      const float z = depth[rays.size() - 1];
-      image->range.push_back(z > 0.0F ? static_cast<float>(z * d.norm()) : kNoSample);
-    }
-  }
-  image->rays = std::make_shared<RayGrid>(head.rows, head.columns, std::move(rays), std::vector<Vec3>(), 0);
-  View view;
-  TriangulationOptions options;
-  options.breakdownAngle = radians(70.0);
-  view.mesh = std::make_shared<const ViewMesh>(triangulate(*image, options));
-  view.T_object_scanner = image->T_object_scanner;
-  view.image = std::move(image);
-  return view;
-}
+View readView(const std::string& path) { return readRecordedView(path, radians(70.0)); }
 
 double squaredError(const View& view, const Pose& found) {
   double squares = 0.0;
@@ -181,14 +129,14 @@ void refineEight(const std::string& folder) {
 }  // namespace
 
 int main() {
-  const char* folder = std::getenv("VANTAGE_PERF_DATA");
-  if (folder == nullptr) {
+  const auto folder = recordedViewsFolder();
+  if (!folder) {
     std::puts("skipped: VANTAGE_PERF_DATA names no folder with pair0.rng, pair1.rng, view0.rng ... view7.rng");
     return 0;
   }
   try {
-    registerPair(folder);
-    refineEight(folder);
+    registerPair(*folder);
+    refineEight(*folder);
   } catch (const std::exception& e) {
     std::fprintf(stderr, "%s\n", e.what());
     return 1;

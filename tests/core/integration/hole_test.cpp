@@ -77,15 +77,5 @@ TEST(CloseSmallHoles, DoesNotWrapASmallPiece) {
   EXPECT_EQ(closeSeenFrom(editor, flat(0.0)), 0U);
 }
 
-TEST(CloseSmallHoles, ReplacesTrianglesWhereTheBorderOverlapsItself) {
-  // Pull the left and the right rim of the hole across each other.
-  Model model = modelWith(flatWithGap({5, 5}, {5, 5}), true);
-  for (Vec3& v : model.mesh.vertices)
-    if (std::abs(std::abs(v.x() - 5.0) - 1.0) < 0.1 && std::abs(v.y() - 5.0) < 0.1) v.x() = v.x() < 5.0 ? 5.2 : 4.9;
-  ModelEditor editor(std::move(model));
-  EXPECT_EQ(closeSeenFrom(editor, flat(0.0)), 1U);
-  EXPECT_EQ(eulerCharacteristic(std::move(editor).take().mesh), 1);
-}
-
 }  // namespace
 }  // namespace vantage
