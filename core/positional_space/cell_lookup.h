@@ -21,8 +21,8 @@ struct FanRange {
   SlopeRange up;
 };
 
-/// Finds the occupied cells of a surface cell by slope: those whose ranging rays, fanned over the surface cell, overlap a
-/// range of slopes. Surface cells are those of one period, as stored in ScannerImages::Data.
+/// Finds the occupied cells of a surface cell by slope: those whose ranging rays, fanned over the surface cell, overlap
+/// a range of slopes. Surface cells are those of one period, as stored in ScannerImages::Data.
 class CellLookup {
  public:
   static constexpr int kStepsUp = 32;
@@ -78,8 +78,8 @@ class CellLookup {
   struct List {
     int firstUp = 0;  // steps of the slopes up that are in use
     int lastUp = -1;
-    float margin = 0.0F;      // of the folded slopes up, by which fans reach beyond their middle
-    std::size_t start = 0;    // of its steps in steps_
+    float margin = 0.0F;    // of the folded slopes up, by which fans reach beyond their middle
+    std::size_t start = 0;  // of its steps in steps_
     SlopeRange all{};
   };
 

@@ -10,8 +10,8 @@ namespace {
 
 void checkSame(const PositionalImage& image, const ScannerImages& scanner) {
   if (image.sums.size() != scanner.cellCount())
-    throw InvalidInput("an image of " + std::to_string(image.sums.size()) + " cells cannot be met with scanner images of " +
-                       std::to_string(scanner.cellCount()));
+    throw InvalidInput("an image of " + std::to_string(image.sums.size()) +
+                       " cells cannot be met with scanner images of " + std::to_string(scanner.cellCount()));
 }
 
 }  // namespace

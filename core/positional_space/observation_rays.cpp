@@ -80,12 +80,18 @@ void ObservationRays::addRanges() {
 void ObservationRays::face(const ObservationSource& source, std::uint32_t index) {
   Source& s = source_;
   const Vec3 origin = source.centre + options_.surfaceOffset * source.normal;
-  s = {static_cast<float>(source.centre.x()), static_cast<float>(source.centre.y()),
-       static_cast<float>(source.centre.z()), static_cast<float>(source.normal.x()),
-       static_cast<float>(source.normal.y()), static_cast<float>(source.normal.z()),
-       static_cast<float>(origin.x()),        static_cast<float>(origin.y()),
-       static_cast<float>(origin.z()),        0.0F,
-       0.0F,                                  0.0F,
+  s = {static_cast<float>(source.centre.x()),
+       static_cast<float>(source.centre.y()),
+       static_cast<float>(source.centre.z()),
+       static_cast<float>(source.normal.x()),
+       static_cast<float>(source.normal.y()),
+       static_cast<float>(source.normal.z()),
+       static_cast<float>(origin.x()),
+       static_cast<float>(origin.y()),
+       static_cast<float>(origin.z()),
+       0.0F,
+       0.0F,
+       0.0F,
        index};
   s.axial = std::sqrt(s.px * s.px + s.py * s.py);
   s.normalAxial = std::sqrt(s.nx * s.nx + s.ny * s.ny);
@@ -119,10 +125,10 @@ void ObservationRays::markRows(Purpose purpose) {
     const float swing = std::abs(rows_.normalZ[r]) * s.axial;
     const float highest = std::max(nearest * rows_.high[r], farthest * rows_.high[r]) + rows_.halfHeight[r];
     const float lowest = std::min(nearest * rows_.low[r], farthest * rows_.low[r]) - rows_.halfHeight[r];
-    rows_.reached[r] = static_cast<std::int32_t>(front > 0.0F) &
-                       static_cast<std::int32_t>(front * front >= limit * (beside * beside + rise * rise)) &
-                       (all | (static_cast<std::int32_t>(up - swing <= highest) &
-                               static_cast<std::int32_t>(up + swing >= lowest)));
+    rows_.reached[r] =
+        static_cast<std::int32_t>(front > 0.0F) &
+        static_cast<std::int32_t>(front * front >= limit * (beside * beside + rise * rise)) &
+        (all | (static_cast<std::int32_t>(up - swing <= highest) & static_cast<std::int32_t>(up + swing >= lowest)));
   }
 }
 
@@ -152,8 +158,8 @@ void ObservationRays::markColumns(std::size_t r, Purpose purpose) {
     const float l2 = square - 2.0F * axial * along[j];
     const float h = ahead - normalAxial * along[j];
     const float v = up + normalZ * along[j];
-    const auto matches =
-        static_cast<std::int32_t>(v <= h * high[j] + halfHeight) & static_cast<std::int32_t>(v >= h * low[j] - halfHeight);
+    const auto matches = static_cast<std::int32_t>(v <= h * high[j] + halfHeight) &
+                         static_cast<std::int32_t>(v >= h * low[j] - halfHeight);
     keep[j] = static_cast<std::int32_t>(f > 0.0F) & static_cast<std::int32_t>(f * f >= limit * l2) &
               static_cast<std::int32_t>(h > kLeastDistance) & (all | matches);
   }
@@ -219,9 +225,8 @@ void ObservationRays::appendRun(std::size_t row, std::size_t begin, std::size_t 
   for (std::size_t j = begin; j < end; ++j) {
     aims_.clear();
     const FanRange seen{{views_.low[j], views_.high[j]}, {views_.lowUp[j], views_.highUp[j]}};
-    const std::size_t count =
-        lookup_.findOverlapping(row * columnsPerPeriod_ + j % columnsPerPeriod_, seen, views_.firstStep[j],
-                                views_.lastStep[j], overlapping_.data());
+    const std::size_t count = lookup_.findOverlapping(row * columnsPerPeriod_ + j % columnsPerPeriod_, seen,
+                                                      views_.firstStep[j], views_.lastStep[j], overlapping_.data());
     if (count > 0) {
       const Middle middle = middleOf(row, j);
       for (std::size_t k = 0; k < count; ++k) aimAt(row, j, middle, overlapping_[k]);
@@ -289,8 +294,8 @@ void ObservationRays::emitAims(std::size_t row, std::size_t column, ObservationB
 // Takes out the aim nearest to the middle and all with receivers on its side that are close to it: one observation ray.
 void ObservationRays::emitTogether(std::size_t row, std::size_t column, std::uint32_t shift, ObservationBatch& batch) {
   const auto off = [](const Aim& a) { return a.across * a.across + a.up * a.up; };
-  const auto nearest = std::min_element(aims_.begin(), aims_.end(),
-                                        [&](const Aim& a, const Aim& b) { return off(a) < off(b); });
+  const auto nearest =
+      std::min_element(aims_.begin(), aims_.end(), [&](const Aim& a, const Aim& b) { return off(a) < off(b); });
   const Aim aim = *nearest;
   aims_.erase(nearest);
   const auto first = static_cast<std::uint32_t>(batch.cells.size());

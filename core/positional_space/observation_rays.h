@@ -16,7 +16,8 @@ namespace vantage {
 /// A cell of positional space that a source meets.
 struct AimedCell {
   std::uint32_t cell = 0;
-  float front = 0.0F;   ///< [mm] (q - p) . n for the source p and the point q of the surface cell that it is seen through
+  float front =
+      0.0F;  ///< [mm] (q - p) . n for the source p and the point q of the surface cell that it is seen through
   float square = 1.0F;  ///< [mm^2] |q - p|^2
 
   [[nodiscard]] float confidence() const { return std::min(front / std::sqrt(square), 1.0F); }  ///< c(o)
@@ -67,9 +68,9 @@ class ObservationRays {
     std::vector<float> halfWidth;
     std::vector<float> halfHeight;
     std::vector<float> taper;
-    std::vector<float> widest;       // half width anywhere
-    std::vector<float> slack;        // by which rays aimed elsewhere in the cell can be nearer to the normal
-    std::vector<float> low;          // bounds of the fans of all of the row's occupied cells
+    std::vector<float> widest;  // half width anywhere
+    std::vector<float> slack;   // by which rays aimed elsewhere in the cell can be nearer to the normal
+    std::vector<float> low;     // bounds of the fans of all of the row's occupied cells
     std::vector<float> high;
     std::vector<std::int32_t> reached;  // by the source
   };
@@ -99,8 +100,8 @@ class ObservationRays {
   };
   // The middle q of a surface cell seen from a source p with normal n.
   struct Middle {
-    float front;   // (q - p) . n
-    float square;  // |q - p|^2
+    float front;         // (q - p) . n
+    float square;        // |q - p|^2
     float normalAcross;  // n . across
     float normalUp;      // n . up
   };

@@ -200,9 +200,8 @@ PositionalImage accumulate(std::span<const ObservationSource> sources, const Ray
   AccumulatorPool pool;
   std::vector<std::vector<SourceSighting>> sightings((sources.size() + kChunk - 1) / kChunk);
   parallelChunks(sources.size(), kChunk, progress, [&](std::size_t begin, std::size_t end) {
-    Accumulator& accumulator = pool.take([&] {
-      return std::make_unique<Accumulator>(sources, obstacles, scanner, lookup, breakdownAngle, options);
-    });
+    Accumulator& accumulator = pool.take(
+        [&] { return std::make_unique<Accumulator>(sources, obstacles, scanner, lookup, breakdownAngle, options); });
     accumulator.add(begin, end);
     sightings[begin / kChunk] = accumulator.takeSightings();
     pool.giveBack(accumulator);

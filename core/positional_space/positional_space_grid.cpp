@@ -66,8 +66,9 @@ std::optional<double> exitDistance(const OutwardRay& ray, const Vec3& centre, do
 PositionalSpaceGrid::PositionalSpaceGrid(const PositionalSpaceShape& shape) : shape_(shape) {
   if (shape.rows < 1 || shape.columns < 3 || shape.columns > kMostColumns || shape.directions < 1)
     throw InvalidInput("positional space of " + std::to_string(shape.rows) + " rows, " + std::to_string(shape.columns) +
-                       " columns and " + std::to_string(shape.directions) + " directions cannot be: at least 1 x 3 x 1 and at most " +
-                       std::to_string(kMostColumns) + " columns are needed");
+                       " columns and " + std::to_string(shape.directions) +
+                       " directions cannot be: at least 1 x 3 x 1 and at most " + std::to_string(kMostColumns) +
+                       " columns are needed");
   if (!(shape.radius > 0.0 && std::isfinite(shape.radius) && shape.top > shape.bottom &&
         std::isfinite(shape.top - shape.bottom) && std::isfinite(shape.firstColumn)))
     throw InvalidInput("positional space of radius " + std::to_string(shape.radius) + " mm from z = " +

@@ -27,7 +27,8 @@ struct OutwardRay {
   Vec3 direction = Vec3::UnitX();  ///< unit
 };
 
-/// One cell of the positional space surface (PSS) as a rectangle (cylinder) or a trapezoid (sphere) of its tangent plane.
+/// One cell of the positional space surface (PSS) as a rectangle (cylinder) or a trapezoid (sphere) of its tangent
+/// plane.
 struct SurfaceCell {
   Vec3 centre = Vec3::Zero();
   Vec3 normal = Vec3::UnitX();  ///< unit, outward
@@ -45,11 +46,11 @@ struct PositionalSpaceShape {
   PositionalSpaceSurface surface = PositionalSpaceSurface::Cylinder;
   int rows = 20;
   int columns = 90;
-  double radius = 155.0;       ///< [mm] of the cylinder about the z axis, or of the sphere
-  double bottom = 0.0;         ///< [mm] z of the cylinder's lower rim
-  double top = 300.0;          ///< [mm] z of its upper rim; the sphere's centre is halfway between the two
-  double firstColumn = 0.0;    ///< [rad] azimuth at which column 0 begins
-  int directions = 61;         ///< direction cells over pi, for phi and for psi; odd: the normal is a cell's centre
+  double radius = 155.0;     ///< [mm] of the cylinder about the z axis, or of the sphere
+  double bottom = 0.0;       ///< [mm] z of the cylinder's lower rim
+  double top = 300.0;        ///< [mm] z of its upper rim; the sphere's centre is halfway between the two
+  double firstColumn = 0.0;  ///< [rad] azimuth at which column 0 begins
+  int directions = 61;       ///< direction cells over pi, for phi and for psi; odd: the normal is a cell's centre
   /// [rad] How far the directions of an observation ray and a ranging ray that meet in a cell can differ, for a surface
   /// at the middle of the viewing volume: half a cell as seen from there and from the scanner's head, and half a
   /// direction cell.
@@ -86,7 +87,8 @@ class PositionalSpaceGrid {
 
   /// Cells of the surface, row-major.
   [[nodiscard]] const SurfaceCell& surfaceCell(int row, int column) const {
-    return cells_[static_cast<std::size_t>(row) * static_cast<std::size_t>(shape_.columns) + static_cast<std::size_t>(column)];
+    return cells_[static_cast<std::size_t>(row) * static_cast<std::size_t>(shape_.columns) +
+                  static_cast<std::size_t>(column)];
   }
   [[nodiscard]] const std::vector<SurfaceCell>& surfaceCells() const { return cells_; }
 
@@ -99,13 +101,13 @@ class PositionalSpaceGrid {
 };
 
 /// Positional space for a scanner. The cylinder that the profile asks for is made tall enough that every ranging ray of
-/// every position that meets the viewing volume leaves through it, at the profile's height of a row; where it would have
-/// to be taller than twice the viewing volume (rays from far above), the surface becomes a sphere.
+/// every position that meets the viewing volume leaves through it, at the profile's height of a row; where it would
+/// have to be taller than twice the viewing volume (rays from far above), the surface becomes a sphere.
 ///
 /// Direction cells are as fine as they can be (0.5 degrees), as the fans of the scanner and of a surface point over a
-/// surface cell are taken into account one by one; nothing falls between cells. Where more than 3 positions look through
-/// a surface cell in directions that differ by less than rays of one position do, direction cells are a third as wide as
-/// that, and positions share them: the cost of an image then does not grow with their number.
+/// surface cell are taken into account one by one; nothing falls between cells. Where more than 3 positions look
+/// through a surface cell in directions that differ by less than rays of one position do, direction cells are a third
+/// as wide as that, and positions share them: the cost of an image then does not grow with their number.
 /// @throws Cancelled
 [[nodiscard]] PositionalSpaceGrid makePositionalSpaceGrid(const ScannerProfile& profile, const Progress& progress = {});
 

@@ -85,7 +85,8 @@ Extent crossingHeights(const ScannerProfile& profile, const std::vector<Pose>& p
         const double a = d.head<2>().squaredNorm();
         const double b = p.head<2>().dot(d.head<2>());
         const double root = std::max(0.0, b * b - a * (p.head<2>().squaredNorm() - radius * radius));
-        extents[i].add(a > 1e-12 ? p.z() + (-b + std::sqrt(root)) / a * d.z() : std::numeric_limits<double>::infinity());
+        extents[i].add(a > 1e-12 ? p.z() + (-b + std::sqrt(root)) / a * d.z()
+                                 : std::numeric_limits<double>::infinity());
       }
     }
   });

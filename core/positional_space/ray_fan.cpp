@@ -30,8 +30,7 @@ Crossing cross(const SurfaceCell& cell, const RangingRay& ray, const Pose& T_obj
   const Vec3 outward = -(T_object_scanner.linear() * ray.direction);
   const double normalPart = outward.dot(cell.normal);
   const Vec3 p = origin - origin.dot(cell.normal) / normalPart * outward;
-  return {Vec2(p.dot(cell.across), p.dot(cell.up)),
-          Vec2(outward.dot(cell.across), outward.dot(cell.up)) / normalPart};
+  return {Vec2(p.dot(cell.across), p.dot(cell.up)), Vec2(outward.dot(cell.across), outward.dot(cell.up)) / normalPart};
 }
 
 }  // namespace

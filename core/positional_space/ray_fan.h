@@ -10,11 +10,11 @@ namespace vantage {
 /// A ranging ray as it leaves through the middle of a surface cell, and how its neighbours differ. Slopes are
 /// (d.across, d.up) / d.normal of the outward direction d = -r.
 struct FanRay {
-  Vec3 direction = Vec3::UnitX();                   ///< outward, unit
+  Vec3 direction = Vec3::UnitX();  ///< outward, unit
   Vec2 slope = Vec2::Zero();
-  Eigen::Matrix2d fan = Eigen::Matrix2d::Zero();    ///< [1/mm] change of the slope per shift across the cell
-  double sourceDistance = 0.0;                      ///< [mm] outward to the ray's origin
-  std::size_t sample = 0;                           ///< the nearest ranging ray
+  Eigen::Matrix2d fan = Eigen::Matrix2d::Zero();  ///< [1/mm] change of the slope per shift across the cell
+  double sourceDistance = 0.0;                    ///< [mm] outward to the ray's origin
+  std::size_t sample = 0;                         ///< the nearest ranging ray
 };
 
 /// Interpolates a scanner's ranging rays where they cross positional space, even behind the scanner's head.

@@ -20,7 +20,8 @@ bool fits(const ScannerImages::Data& d) {
   if (d.positions < 1 || d.steps < 1 || d.periods < 1 || d.receivers < 0) return false;
   if (d.positions % d.steps != 0 || d.steps % d.periods != 0 || d.shape.columns % d.periods != 0) return false;
   const std::size_t cells = d.cells.size();
-  const auto surfaceCells = static_cast<std::size_t>(d.shape.rows) * static_cast<std::size_t>(d.shape.columns / d.periods);
+  const auto surfaceCells =
+      static_cast<std::size_t>(d.shape.rows) * static_cast<std::size_t>(d.shape.columns / d.periods);
   const std::size_t total = cells * static_cast<std::size_t>(d.periods);
   return total < kNoIndex && isPartition(d.surfaceStart, surfaceCells, cells) && d.direction.size() == cells &&
          d.receiverPositions.size() == cells * static_cast<std::size_t>(d.receivers) &&

@@ -15,10 +15,10 @@ namespace vantage {
 /// the middle of the surface cell, one per position that shares the cell. Slopes are taken in the surface cell's frame:
 /// (d.across, d.up) / d.normal.
 struct OccupiedCell {
-  std::array<float, 2> slope{};           ///< of the ray through the middle
-  std::array<float, 4> fan{};             ///< [1/mm] how the slope changes across the surface cell; row-major 2 x 2
-  float sourceDistance = 0.0F;            ///< [mm] from the surface cell's middle outward to the ray's origin
-  std::uint32_t receiverSide = 0;         ///< 0..3: on which side of the ray its first receiver is; never mixed
+  std::array<float, 2> slope{};    ///< of the ray through the middle
+  std::array<float, 4> fan{};      ///< [1/mm] how the slope changes across the surface cell; row-major 2 x 2
+  float sourceDistance = 0.0F;     ///< [mm] from the surface cell's middle outward to the ray's origin
+  std::uint32_t receiverSide = 0;  ///< 0..3: on which side of the ray its first receiver is; never mixed
 };
 
 /// P_c^i for every position i of a workspace: which cells of positional space the scanner's ranging rays occupy
@@ -29,26 +29,26 @@ struct OccupiedCell {
 /// every occupied cell whose fan it is part of (see `accumulate`). A surface point that a position sees is thus met in
 /// one surface cell per position, and the sums over cells are areas.
 ///
-/// Cells are numbered 0..cellCount()-1 over the union of all positions; no other cell can ever be of use. On a turntable
-/// the images repeat every `gcd(steps, columns)`-th of a turn: they are stored for one period and every other position
-/// is a shift of the numbers. Immutable.
+/// Cells are numbered 0..cellCount()-1 over the union of all positions; no other cell can ever be of use. On a
+/// turntable the images repeat every `gcd(steps, columns)`-th of a turn: they are stored for one period and every other
+/// position is a shift of the numbers. Immutable.
 class ScannerImages {
  public:
   /// What is stored: the union for one period of columns, and the images of the positions within one period.
   struct Data {
     PositionalSpaceShape shape;
     int positions = 0;
-    int steps = 0;    ///< positions per turn; equal to `positions` without a turntable
-    int periods = 1;  ///< per turn
-    int receivers = 0;                          ///< per ray
-    double minRange = 0.0;                      ///< [mm]
-    double maxRange = 0.0;                      ///< [mm]
-    std::vector<std::uint32_t> surfaceStart;    ///< per surface cell of the period (row-major), its first occupied cell
-    std::vector<OccupiedCell> cells;            ///< by surface cell, then slope[0]
+    int steps = 0;                            ///< positions per turn; equal to `positions` without a turntable
+    int periods = 1;                          ///< per turn
+    int receivers = 0;                        ///< per ray
+    double minRange = 0.0;                    ///< [mm]
+    double maxRange = 0.0;                    ///< [mm]
+    std::vector<std::uint32_t> surfaceStart;  ///< per surface cell of the period (row-major), its first occupied cell
+    std::vector<OccupiedCell> cells;          ///< by surface cell, then slope[0]
     std::vector<std::array<std::int16_t, 2>> direction;  ///< per cell phi, psi
-    std::vector<Vec3> receiverPositions;        ///< per cell `receivers` positions, object coordinates of the period 0
-    std::vector<std::uint32_t> imageStart;      ///< per stored image, its first entry
-    std::vector<std::uint32_t> imageCells;      ///< numbers of cells, ascending within an image
+    std::vector<Vec3> receiverPositions;    ///< per cell `receivers` positions, object coordinates of the period 0
+    std::vector<std::uint32_t> imageStart;  ///< per stored image, its first entry
+    std::vector<std::uint32_t> imageCells;  ///< numbers of cells, ascending within an image
   };
 
   /// @throws InvalidInput when the parts do not fit together.

@@ -28,10 +28,8 @@ class Hash {
     for (std::size_t i = 0; i < bytes; ++i) value_ = (value_ ^ p[i]) * 0x100000001b3ULL;
   }
   template <typename T>
-    requires std::is_arithmetic_v<T>
-  void add(T value) {
-    add(&value, sizeof value);
-  }
+  requires std::is_arithmetic_v<T>
+  void add(T value) { add(&value, sizeof value); }
   void add(const Vec3& v) {
     for (int k = 0; k < 3; ++k) add(v[k]);
   }
@@ -44,10 +42,8 @@ class Hash {
 class Writer {
  public:
   template <typename T>
-    requires std::is_trivially_copyable_v<T>
-  void value(const T& v) {
-    bytes_.append(reinterpret_cast<const char*>(&v), sizeof v);
-  }
+  requires std::is_trivially_copyable_v<T>
+  void value(const T& v) { bytes_.append(reinterpret_cast<const char*>(&v), sizeof v); }
   template <typename T>
   void list(const std::vector<T>& v) {
     value(static_cast<std::uint64_t>(v.size()));
@@ -118,7 +114,8 @@ std::string encode(const ScannerImages::Data& data) {
 std::optional<ScannerImages> decode(const std::string& body) {
   Reader in(body);
   ScannerImages::Data data;
-  data.shape.surface = in.value<std::int32_t>() != 0 ? PositionalSpaceSurface::Sphere : PositionalSpaceSurface::Cylinder;
+  data.shape.surface =
+      in.value<std::int32_t>() != 0 ? PositionalSpaceSurface::Sphere : PositionalSpaceSurface::Cylinder;
   for (int* v : {&data.shape.rows, &data.shape.columns, &data.shape.directions, &data.positions, &data.steps,
                  &data.periods, &data.receivers})
     *v = in.value<std::int32_t>();
@@ -163,7 +160,8 @@ std::uint64_t contentHash(const ScannerProfile& profile) {
   hash.add(static_cast<std::uint64_t>(profile.workspace.size()));
   for (const Pose& pose : profile.workspace.poses)
     for (int k = 0; k < 12; ++k) hash.add(pose(k / 4, k % 4));
-  for (const double v : {profile.minRange, profile.maxRange, profile.viewingVolume.radius, profile.viewingVolume.height})
+  for (const double v :
+       {profile.minRange, profile.maxRange, profile.viewingVolume.radius, profile.viewingVolume.height})
     hash.add(v);
   hash.add(static_cast<int>(profile.positionalSpace.surface == PositionalSpaceSurface::Sphere));
   hash.add(profile.positionalSpace.rows);

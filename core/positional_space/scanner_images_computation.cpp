@@ -14,8 +14,8 @@ namespace {
 
 // How the images of a workspace repeat under turns about z that map surface cells to surface cells.
 struct Periods {
-  int count = 1;  // per turn
-  int steps = 1;  // positions per turn
+  int count = 1;    // per turn
+  int steps = 1;    // positions per turn
   int columns = 1;  // surface columns per period
 
   [[nodiscard]] int stepsPerPeriod() const { return steps / count; }

@@ -109,15 +109,15 @@ void compareWithRaw(const char* name, const ScannerImages& images, const std::ve
   ObservationBatch batch;
   const CellLookup lookup(images);
   ObservationRays generator(images, lookup, kBreakdown, options);
-  for (std::size_t s = 0; s < sources.size(); ++s)
-    generator.append(sources[s], static_cast<std::uint32_t>(s), batch);
+  for (std::size_t s = 0; s < sources.size(); ++s) generator.append(sources[s], static_cast<std::uint32_t>(s), batch);
   const double rays = static_cast<double>(batch.rays.size());
   for (const int threads : {1, 2}) {
     const Progress progress(nullptr, {}, threads);
     const auto t = medians({[&] { traceRaw(batch.rays, obstacles, progress); },
                             [&] { (void)accumulate(sources, obstacles, images, kBreakdown, options, progress); }});
-    std::printf("%-28s threads %d  rays/source %6.1f  raw %6.2f Mrays/s  accumulation %6.2f Mrays/s  share %.3f\n", name,
-                threads, rays / static_cast<double>(sources.size()), rays / t[0] / 1e6, rays / t[1] / 1e6, t[0] / t[1]);
+    std::printf("%-28s threads %d  rays/source %6.1f  raw %6.2f Mrays/s  accumulation %6.2f Mrays/s  share %.3f\n",
+                name, threads, rays / static_cast<double>(sources.size()), rays / t[0] / 1e6, rays / t[1] / 1e6,
+                t[0] / t[1]);
   }
 }
 
@@ -149,6 +149,6 @@ int main() {
                           [&] { (void)intersect(ofFew, few); }, [&] { (void)intersect(ofMany, many); }});
   std::printf("P of the whole model, with lines of sight, 2 threads: 90 positions %.3f s, 900 positions %.3f s\n", t[0],
               t[1]);
-  std::printf("sums over all positions: 90 positions %.6f s, 900 positions %.6f s; in all 900 / 90 = %.3f\n", t[2], t[3],
-              (t[1] + t[3]) / (t[0] + t[2]));
+  std::printf("sums over all positions: 90 positions %.6f s, 900 positions %.6f s; in all 900 / 90 = %.3f\n", t[2],
+              t[3], (t[1] + t[3]) / (t[0] + t[2]));
 }

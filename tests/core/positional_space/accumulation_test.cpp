@@ -166,8 +166,7 @@ TEST(Accumulation, TurningTheObjectByAStepShiftsTheSums) {
     const ScannerImages images = computeScannerImages(profile);
     const auto sources = testing::scatteredSources(300);
     const auto before = intersect(accumulate(sources, nothing(), images, kBreakdown), images);
-    const auto after =
-        intersect(accumulate(turned(sources, radians(4.0)), nothing(), images, kBreakdown), images);
+    const auto after = intersect(accumulate(turned(sources, radians(4.0)), nothing(), images, kBreakdown), images);
     // Only a ray that is within rounding of a cell's border may go to the other side.
     const double most = *std::max_element(before.begin(), before.end());
     for (std::size_t i = 0; i < 90; ++i) EXPECT_NEAR(after[(i + 1) % 90], before[i], 0.01 * most);

@@ -49,8 +49,8 @@ double exactConfidence(const ScannerProfile& profile, const Pose& pose, const Ob
   if (cosine < std::cos(kBreakdown) || obstacles.occluded(from, pose * ray.origin)) return 0.0;
   const auto receivers = profile.rays->receivers(profile.rays->nearest(*where));
   const bool seen = receivers.empty() || std::any_of(receivers.begin(), receivers.end(), [&](const Vec3& r) {
-    return (pose * r - source.centre).dot(source.normal) > 0.0 && !obstacles.occluded(from, pose * r);
-  });
+                      return (pose * r - source.centre).dot(source.normal) > 0.0 && !obstacles.occluded(from, pose * r);
+                    });
   return seen ? cosine : 0.0;
 }
 
@@ -82,8 +82,8 @@ TEST(ObjectiveSums, ImageProductEqualsCountingCollinearRaysOneByOne) {
     double difference = 0.0;
     for (int position = 0; position < images.positions(); position += 11) {
       const Pose& pose = profile.workspace.poses[static_cast<std::size_t>(position)];
-      // The nearest ray passes up to half a spacing aside: its angle differs by up to 0.4 degrees, which decides for the
-      // few sources at the breakdown angle. They may count or not.
+      // The nearest ray passes up to half a spacing aside: its angle differs by up to 0.4 degrees, which decides for
+      // the few sources at the breakdown angle. They may count or not.
       double least = 0.0;
       double most = 0.0;
       for (const ObservationSource& source : sources) {
@@ -98,7 +98,8 @@ TEST(ObjectiveSums, ImageProductEqualsCountingCollinearRaysOneByOne) {
       difference += std::max({0.0, least - sum, sum - most});
     }
     EXPECT_GT(counted, 10.0);
-    // A source near the border of a surface cell may fall to its neighbour, where the fan is another one.
+    // Where positions share direction cells (the tilt of 70 degrees) a source near the border of a surface cell may be
+    // counted in neither cell or in both.
     EXPECT_LT(difference, 0.03 * counted) << profile.type << " with " << profile.workspace.size() << " positions";
   }
 }

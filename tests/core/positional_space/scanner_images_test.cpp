@@ -70,8 +70,7 @@ TEST(ScannerImages, ImageCellsAreThoseOfTheRangingRaysThroughTheirMiddles) {
       }
       ASSERT_LT(best, 6.0);
       // Half of the widest ray spacing (0.67 degrees) and half a direction cell.
-      EXPECT_LT(std::acos(std::min(1.0, -direction.dot(ray.direction))),
-                radians(0.5) + images.grid().directionStep());
+      EXPECT_LT(std::acos(std::min(1.0, -direction.dot(ray.direction))), radians(0.5) + images.grid().directionStep());
     }
   }
 }
@@ -126,8 +125,9 @@ TEST(ScannerImages, ReceiversOnOppositeSidesAreNotMixed) {
   const Vec3 receiver = profile.rays->receivers(0)[0];
   for (int position = 0; position < 2; ++position)
     for (const std::uint32_t cell : images.image(position))
-      EXPECT_LT((images.receivers(cell)[0] - profile.workspace.poses[static_cast<std::size_t>(position)] * receiver).norm(),
-                1e-6);
+      EXPECT_LT(
+          (images.receivers(cell)[0] - profile.workspace.poses[static_cast<std::size_t>(position)] * receiver).norm(),
+          1e-6);
 }
 
 TEST(ScannerImages, AnyThreadCountGivesTheSameImages) {

@@ -75,8 +75,8 @@ std::vector<ObservationSource> scatteredSources(int count, double radius, double
     const double angle = 2.0 * kPi * random.uniform();
     const double axial = radius * std::sqrt(random.uniform());
     ObservationSource source;
-    source.centre = Vec3(axial * std::cos(angle), axial * std::sin(angle),
-                         150.0 + halfHeight * (2.0 * random.uniform() - 1.0));
+    source.centre =
+        Vec3(axial * std::cos(angle), axial * std::sin(angle), 150.0 + halfHeight * (2.0 * random.uniform() - 1.0));
     source.normal = Vec3(random.normal(), random.normal(), 0.5 * random.normal()).normalized();
     source.weight = 0.5 + random.uniform();
     sources.push_back(source);
