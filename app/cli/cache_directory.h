@@ -4,8 +4,8 @@
 
 namespace vantage {
 
-/// Where computed images of scanners are kept between runs ($XDG_CACHE_HOME/vantage or ~/.cache/vantage); empty when the
-/// machine names no such place.
+/// Where computed images of scanners are kept between runs ($XDG_CACHE_HOME/vantage or ~/.cache/vantage); empty when
+/// the machine names no such place.
 [[nodiscard]] std::string cacheDirectory();
 
 }  // namespace vantage

@@ -41,9 +41,10 @@ void run(const EvaluateArguments& args, CommandContext& context) {
                   {"p99_mm", e.percentile99},
                   {"false_surface", e.falseSurface},
                   {"model", counts}},
-                 "scannable: " + number(100.0 * e.scannableShare, 2) + " % of the surface\ncovered:   " +
-                     number(100.0 * e.coverage, 2) + " % of that\nRMS:       " + number(e.rms, 4) + " mm, 99 % within " +
-                     number(e.percentile99, 3) + " mm\nfalse:     " + number(100.0 * e.falseSurface, 3) +
+                 "scannable: " + number(100.0 * e.scannableShare, 2) +
+                     " % of the surface\ncovered:   " + number(100.0 * e.coverage, 2) +
+                     " % of that\nRMS:       " + number(e.rms, 4) + " mm, 99 % within " + number(e.percentile99, 3) +
+                     " mm\nfalse:     " + number(100.0 * e.falseSurface, 3) +
                      " %\nedges:     " + counts["boundary_edges"].dump() + " boundary, " +
                      counts["non_manifold_edges"].dump() + " non-manifold\n");
 }
@@ -56,7 +57,9 @@ void addEvaluateCommand(CLI::App& app, CommandContext& context) {
   command->add_option("model", args->model, "Session or mesh file")->required();
   command->add_option("--object", args->object, "Mesh of the object")->required();
   command->add_option("--scanner", args->scanner, "Scanner profile (JSON)")->required();
-  command->add_option("--place", args->placement, "How the object was placed")->check(CLI::IsMember({"as-is", "fit"}))->capture_default_str();
+  command->add_option("--place", args->placement, "How the object was placed")
+      ->check(CLI::IsMember({"as-is", "fit"}))
+      ->capture_default_str();
   context.addCommonOptions(*command);
   command->callback([args, &context] { run(*args, context); });
 }

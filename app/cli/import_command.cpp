@@ -21,7 +21,8 @@ struct ImportArguments {
 };
 
 // The scans with the poses that the list gives them.
-std::vector<RangeImage> readScans(const ImportArguments& args, const ScannerProfile* profile, const Progress& progress) {
+std::vector<RangeImage> readScans(const ImportArguments& args, const ScannerProfile* profile,
+                                  const Progress& progress) {
   std::vector<RangeImage> scans;
   std::vector<ScanPose> poses;
   for (const std::string& file : args.files) {
@@ -42,7 +43,11 @@ nlohmann::ordered_json importJson(const ImportArguments& args, const ImportResul
   nlohmann::ordered_json json{{"session", args.session}, {"scans", nlohmann::ordered_json::array()}};
   for (std::size_t i = 0; i < args.files.size(); ++i) {
     const ViewAlignment& a = result.alignment[i];
-    json["scans"].push_back({{"file", args.files[i]}, {"verdict", name(a.verdict)}, {"reason", a.reason}, {"rms_mm", a.rms}, {"inliers", a.inlierShare}});
+    json["scans"].push_back({{"file", args.files[i]},
+                             {"verdict", name(a.verdict)},
+                             {"reason", a.reason},
+                             {"rms_mm", a.rms},
+                             {"inliers", a.inlierShare}});
   }
   json["model"] = modelJson(result.state.model->mesh);
   double length = 0.0;
@@ -67,11 +72,12 @@ void run(const ImportArguments& args, CommandContext& context) {
   const auto json = importJson(args, result);
   std::string text;
   for (const auto& scan : json["scans"])
-    text += scan["file"].get<std::string>() + ": " + scan["verdict"].get<std::string>() + ", " + number(scan["rms_mm"].get<double>(), 3) +
-            " mm, " + scan["reason"].get<std::string>() + "\n";
-  text += "model: " + json["model"]["triangles"].dump() + " triangles, " + json["model"]["boundary_edges"].dump() + " boundary edges, " +
-          json["model"]["non_manifold_edges"].dump() + " non-manifold\nstill void: " + std::to_string(result.voids.patches.size()) +
-          " patches along " + number(json["void"]["length_mm"].get<double>(), 0) + " mm of boundary\nwritten: " + args.session + "\n";
+    text += scan["file"].get<std::string>() + ": " + scan["verdict"].get<std::string>() + ", " +
+            number(scan["rms_mm"].get<double>(), 3) + " mm, " + scan["reason"].get<std::string>() + "\n";
+  text += "model: " + json["model"]["triangles"].dump() + " triangles, " + json["model"]["boundary_edges"].dump() +
+          " boundary edges, " + json["model"]["non_manifold_edges"].dump() +
+          " non-manifold\nstill void: " + std::to_string(result.voids.patches.size()) + " patches along " +
+          number(json["void"]["length_mm"].get<double>(), 0) + " mm of boundary\nwritten: " + args.session + "\n";
   context.result(json, text);
 }
 
@@ -82,7 +88,8 @@ void addImportCommand(CLI::App& app, CommandContext& context) {
   CLI::App* command = app.add_subcommand("import", "Register and integrate recorded scans and say what is still void");
   command->add_option("range", args->files, "PLY range files")->required();
   command->add_option("--poses", args->poses, "Stanford .conf with a rough pose for every scan");
-  command->add_option("--scanner", args->scanner, "Scanner profile (JSON), or generic for parallel rays along -z")->capture_default_str();
+  command->add_option("--scanner", args->scanner, "Scanner profile (JSON), or generic for parallel rays along -z")
+      ->capture_default_str();
   command->add_option("--session", args->session, "Session file to write")->required();
   context.addCommonOptions(*command);
   command->callback([args, &context] { run(*args, context); });

@@ -15,7 +15,8 @@ nlohmann::ordered_json jsonOf(const FactValue& value) {
 void addSessionFacts(const std::string& path, const Progress& progress, FileInfo& info) {
   const Session session = SessionFile::open(path).load(progress);
   info.facts.emplace_back("views", static_cast<std::int64_t>(session.state.views.size()));
-  info.facts.emplace_back("scanner", session.state.profile ? session.state.profile->name : std::string("recorded scans"));
+  info.facts.emplace_back("scanner",
+                          session.state.profile ? session.state.profile->name : std::string("recorded scans"));
   info.facts.emplace_back("object", session.settings.object);
   if (session.state.model)
     info.facts.emplace_back("model_triangles", static_cast<std::int64_t>(session.state.model->mesh.triangles.size()));

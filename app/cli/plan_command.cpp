@@ -22,9 +22,12 @@ struct PlanArguments {
 
 const char* outcomeName(PlanOutcome outcome) {
   switch (outcome) {
-    case PlanOutcome::Found: return "found";
-    case PlanOutcome::Finished: return "finished";
-    case PlanOutcome::NoOverlap: return "no_overlap";
+    case PlanOutcome::Found:
+      return "found";
+    case PlanOutcome::Finished:
+      return "finished";
+    case PlanOutcome::NoOverlap:
+      return "no_overlap";
   }
   return "";
 }
@@ -57,8 +60,9 @@ nlohmann::ordered_json planJson(const Plan& plan, const PlanArguments& args) {
 }
 
 std::string planText(const Plan& plan, const PlanArguments& args) {
-  std::string text = plan.outcome == PlanOutcome::Found ? "next best view: position " + std::to_string(plan.position) + "\n"
-                                                        : std::string(outcomeName(plan.outcome)) + "\n";
+  std::string text = plan.outcome == PlanOutcome::Found
+                         ? "next best view: position " + std::to_string(plan.position) + "\n"
+                         : std::string(outcomeName(plan.outcome)) + "\n";
   text += "t = " + number(plan.leastOverlap, 1) + " mm2, F = " + number(plan.terminationThreshold, 1) + " mm2\n";
   if (args.why)
     for (const PositionScore& s : plan.scores) text += scoreText(s);
@@ -69,14 +73,17 @@ std::string planText(const Plan& plan, const PlanArguments& args) {
 void run(const PlanArguments& args, CommandContext& context) {
   const Session session = SessionFile::open(args.session).load(context.progress().part(0.0, 0.2, "read session"));
   const auto& profile = session.state.profile;
-  if (!profile) throw InvalidInput(args.session + ": holds recorded scans without a workspace, a next view needs a scanner profile");
+  if (!profile)
+    throw InvalidInput(args.session +
+                       ": holds recorded scans without a workspace, a next view needs a scanner profile");
   if (!session.state.model) throw InvalidInput(args.session + ": has no view yet to plan from");
   if (args.position && (*args.position < 0 || *args.position >= static_cast<int>(profile->workspace.size())))
     throw InvalidInput("--position is " + std::to_string(*args.position) + ", the workspace has positions 0 to " +
                        std::to_string(profile->workspace.size() - 1));
-  const ScannerImages images =
-      loadScannerImages(*profile, cacheDirectory(), context.progress().part(0.2, 0.3, "positional space of the scanner"));
-  const Plan plan = planAfter(session.state, images, stepOptionsFor(*profile, session.settings), context.progress().part(0.3, 1.0));
+  const ScannerImages images = loadScannerImages(*profile, cacheDirectory(),
+                                                 context.progress().part(0.2, 0.3, "positional space of the scanner"));
+  const Plan plan =
+      planAfter(session.state, images, stepOptionsFor(*profile, session.settings), context.progress().part(0.3, 1.0));
   context.result(planJson(plan, args), planText(plan, args));
 }
 

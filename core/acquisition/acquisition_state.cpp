@@ -21,21 +21,30 @@ Strategy parseStrategy(std::string_view text) {
 
 std::string name(const Strategy& strategy) {
   switch (strategy.kind) {
-    case Strategy::Kind::PositionalSpace: return "ps";
-    case Strategy::Kind::Uniform: return "uniform:" + std::to_string(strategy.uniformViews);
-    case Strategy::Kind::Random: return "random";
+    case Strategy::Kind::PositionalSpace:
+      return "ps";
+    case Strategy::Kind::Uniform:
+      return "uniform:" + std::to_string(strategy.uniformViews);
+    case Strategy::Kind::Random:
+      return "random";
   }
   return "";
 }
 
 std::string_view name(Termination termination) {
   switch (termination) {
-    case Termination::Running: return "running";
-    case Termination::Finished: return "finished";
-    case Termination::NoOverlap: return "no_overlap";
-    case Termination::MaxViews: return "max_views";
-    case Termination::RegistrationFailed: return "registration_failed";
-    case Termination::Cancelled: return "cancelled";
+    case Termination::Running:
+      return "running";
+    case Termination::Finished:
+      return "finished";
+    case Termination::NoOverlap:
+      return "no_overlap";
+    case Termination::MaxViews:
+      return "max_views";
+    case Termination::RegistrationFailed:
+      return "registration_failed";
+    case Termination::Cancelled:
+      return "cancelled";
   }
   return "";
 }

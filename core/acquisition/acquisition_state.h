@@ -29,13 +29,13 @@ struct Strategy {
 
 /// What a session was asked to do. Kept in the session file.
 struct AcquisitionSettings {
-  std::string object;         ///< file that the simulated scanner looks at; empty for recorded scans
+  std::string object;  ///< file that the simulated scanner looks at; empty for recorded scans
   std::string placement = "as-is";
   std::uint64_t seed = 1;
   bool ideal = false;
   int firstView = 0;
   int maxViews = 40;
-  double tolerance = 0.0;     ///< u
+  double tolerance = 0.0;  ///< u
   Strategy strategy;
 };
 

@@ -87,7 +87,8 @@ class AutomaticRun {
     return {plan.position, plan.scores[static_cast<std::size_t>(plan.position)], Termination::Running};
   }
 
-  // After a failure: the best position by the last plan that has clearly more overlap. A baseline goes on as it would have.
+  // After a failure: the best position by the last plan that has clearly more overlap. A baseline goes on as it would
+  // have.
   Next afterFailure(const AcquisitionState& state, int position) {
     if (failures_ >= kMostFailures || state.views.empty()) return {-1, {}, Termination::RegistrationFailed};
     if (!state.records.back().plan) return fromBaseline(state);
@@ -110,7 +111,9 @@ class AutomaticRun {
       const auto count = static_cast<std::size_t>(settings_.strategy.uniformViews);
       if (taken >= std::min(count, positions)) return {-1, {}, Termination::Finished};
       if (taken >= limit) return {-1, {}, Termination::MaxViews};
-      return {static_cast<int>((static_cast<std::size_t>(settings_.firstView) + taken * positions / count) % positions), {}, Termination::Running};
+      return {static_cast<int>((static_cast<std::size_t>(settings_.firstView) + taken * positions / count) % positions),
+              {},
+              Termination::Running};
     }
     if (taken >= std::min(limit, positions)) return {-1, {}, Termination::MaxViews};
     return {randomOrder(positions, settings_.firstView, settings_.seed)[taken], {}, Termination::Running};

@@ -42,8 +42,9 @@ std::vector<SamplePoint> sampleSurface(const Mesh& mesh, int count, std::uint64_
     const Triangle& t = mesh.triangles[static_cast<std::size_t>(std::min(at, cumulated.end() - 1) - cumulated.begin())];
     const double s = std::sqrt(random.uniform());
     const double u = random.uniform();
-    samples.push_back({(1.0 - s) * mesh.vertices[t[0]] + s * (1.0 - u) * mesh.vertices[t[1]] + s * u * mesh.vertices[t[2]],
-                       triangleNormal(mesh, t)});
+    samples.push_back(
+        {(1.0 - s) * mesh.vertices[t[0]] + s * (1.0 - u) * mesh.vertices[t[1]] + s * u * mesh.vertices[t[2]],
+         triangleNormal(mesh, t)});
   }
   return samples;
 }
@@ -93,7 +94,8 @@ std::vector<std::uint8_t> findScannable(const std::vector<SamplePoint>& samples,
 }
 
 void measureCoverage(const std::vector<SamplePoint>& samples, const std::vector<std::uint8_t>& scannable,
-                     const Mesh& model, const EvaluationOptions& options, const Progress& progress, Evaluation& result) {
+                     const Mesh& model, const EvaluationOptions& options, const Progress& progress,
+                     Evaluation& result) {
   const RayCaster caster(model);
   std::vector<std::uint8_t> covered(samples.size(), 0);
   parallelChunks(samples.size(), kGrain, progress, [&](std::size_t begin, std::size_t end) {
@@ -105,7 +107,8 @@ void measureCoverage(const std::vector<SamplePoint>& samples, const std::vector<
   });
   const auto scannableCount = static_cast<double>(std::count(scannable.begin(), scannable.end(), 1));
   result.scannableShare = scannableCount / static_cast<double>(std::max<std::size_t>(1, samples.size()));
-  result.coverage = scannableCount > 0.0 ? static_cast<double>(std::count(covered.begin(), covered.end(), 1)) / scannableCount : 0.0;
+  result.coverage =
+      scannableCount > 0.0 ? static_cast<double>(std::count(covered.begin(), covered.end(), 1)) / scannableCount : 0.0;
 }
 
 void measureAccuracy(const Mesh& model, const RayCaster& object, const EvaluationOptions& options,

@@ -9,8 +9,8 @@
 namespace vantage {
 
 struct EvaluationOptions {
-  int samples = 40000;             ///< points drawn on either surface
-  double tolerance = 0.75;         ///< a point is covered by model surface this near [mm]
+  int samples = 40000;                     ///< points drawn on either surface
+  double tolerance = 0.75;                 ///< a point is covered by model surface this near [mm]
   double clearOfBreakdown = radians(2.0);  ///< scannable means this much inside the breakdown angle [rad]
   std::uint64_t seed = 7;
 };

@@ -7,7 +7,8 @@
 namespace vantage {
 namespace {
 
-std::vector<View> makeViews(std::vector<RangeImage> scans, const TriangulationOptions& options, const Progress& progress) {
+std::vector<View> makeViews(std::vector<RangeImage> scans, const TriangulationOptions& options,
+                            const Progress& progress) {
   std::vector<View> views;
   for (RangeImage& scan : scans) {
     progress.checkpoint(static_cast<double>(views.size()) / static_cast<double>(scans.size()));
@@ -56,7 +57,8 @@ ImportResult importScans(std::vector<RangeImage> scans, const ImportOptions& opt
   if (scans.empty()) throw InvalidInput("nothing to import: expected at least one range image");
   const Progress registering = progress.part(0.0, 0.6, "register");
   std::vector<View> views = makeViews(std::move(scans), options.triangulation, registering.part(0.0, 0.1));
-  if (views.front().mesh->mesh.empty()) throw InvalidInput("the first range image has no surface to register the others with");
+  if (views.front().mesh->mesh.empty())
+    throw InvalidInput("the first range image has no surface to register the others with");
 
   ImportResult result;
   const AlignmentResult alignment = registerViews(views, options.alignment, registering.part(0.1, 1.0));

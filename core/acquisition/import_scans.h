@@ -23,14 +23,14 @@ struct ImportOptions {
 
 /// What became of recorded scans.
 struct ImportResult {
-  AcquisitionState state;               ///< views that found their place, in the order given, and their model
-  std::vector<ViewAlignment> alignment; ///< one per scan given
+  AcquisitionState state;                ///< views that found their place, in the order given, and their model
+  std::vector<ViewAlignment> alignment;  ///< one per scan given
   ZipperStatistics zippering;
-  VoidSurface voids;                    ///< what is still void
+  VoidSurface voids;  ///< what is still void
 };
 
-/// Registers recorded scans from their nominal poses, the first of which stays, and zippers those that found their place.
-/// Steps reported: register, integrate, void_patches.
+/// Registers recorded scans from their nominal poses, the first of which stays, and zippers those that found their
+/// place. Steps reported: register, integrate, void_patches.
 /// @throws InvalidInput when there is no scan or the first has no surface; Cancelled
 [[nodiscard]] ImportResult importScans(std::vector<RangeImage> scans, const ImportOptions& options,
                                        const Progress& progress);

@@ -21,7 +21,8 @@ Json finite(double value) {
 // The phases of Table 2, 0 where one did not run.
 Json secondsJson(const PhaseTimes& seconds) {
   Json json;
-  for (const char* phase : {"scan", "register", "integrate", "void_patches", "project_void", "project_seen", "choose"}) {
+  for (const char* phase :
+       {"scan", "register", "integrate", "void_patches", "project_void", "project_seen", "choose"}) {
     const auto it = seconds.find(phase);
     json[phase] = it == seconds.end() ? 0.0 : it->second;
   }
@@ -77,7 +78,8 @@ nlohmann::ordered_json registrationJson(const RegistrationResult& registration) 
 }
 
 nlohmann::ordered_json voidCountsJson(const VoidSurface& voids) {
-  constexpr std::array<const char*, kEdgeClasses> kNames{"outer_jump", "inner_jump", "line_of_sight_jump", "regular", "rim"};
+  constexpr std::array<const char*, kEdgeClasses> kNames{"outer_jump", "inner_jump", "line_of_sight_jump", "regular",
+                                                         "rim"};
   Json json;
   for (std::size_t i = 0; i < kNames.size(); ++i) json[kNames[i]] = voids.counts[i];
   return json;
@@ -85,7 +87,8 @@ nlohmann::ordered_json voidCountsJson(const VoidSurface& voids) {
 
 nlohmann::ordered_json voidJson(const Plan& plan) {
   Json json = voidCountsJson(*plan.voids);
-  json["answered"] = std::count_if(plan.outlook.begin(), plan.outlook.end(), [](const PatchOutlook& o) { return o.answered; });
+  json["answered"] =
+      std::count_if(plan.outlook.begin(), plan.outlook.end(), [](const PatchOutlook& o) { return o.answered; });
   return json;
 }
 
@@ -100,7 +103,8 @@ nlohmann::ordered_json remainingJson(const Plan& plan) {
   Json list = Json::array();
   for (std::size_t reason = 0; reason < edges.size(); ++reason) {
     if (edges[reason] == 0) continue;
-    list.push_back({{"reason", name(static_cast<EdgeReason>(reason))}, {"edges", edges[reason]}, {"length_mm", lengths[reason]}});
+    list.push_back(
+        {{"reason", name(static_cast<EdgeReason>(reason))}, {"edges", edges[reason]}, {"length_mm", lengths[reason]}});
   }
   return list;
 }
@@ -143,7 +147,8 @@ nlohmann::ordered_json makeReport(const AcquisitionState& state, const Acquisiti
   for (std::size_t i = 0; i < state.records.size(); ++i) report["views"].push_back(viewJson(state, i));
   report["rejected"] = Json::array();
   for (const RejectedScan& scan : state.rejected)
-    report["rejected"].push_back({{"position", scan.image->position}, {"registration", registrationJson(scan.registration)}});
+    report["rejected"].push_back(
+        {{"position", scan.image->position}, {"registration", registrationJson(scan.registration)}});
   report["terminated_by"] = name(state.termination);
   const bool planned = !state.records.empty() && state.records.back().plan;
   report["remaining"] = planned ? remainingJson(*state.records.back().plan) : Json::array();

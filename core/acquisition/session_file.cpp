@@ -15,7 +15,8 @@ constexpr const char* kSchemaVersion = "1";
 constexpr const char* kTables[] = {
     "CREATE TABLE meta(key TEXT PRIMARY KEY, value TEXT NOT NULL) WITHOUT ROWID",
     "CREATE TABLE file(name TEXT PRIMARY KEY, content TEXT NOT NULL) WITHOUT ROWID",
-    "CREATE TABLE rays(id INTEGER PRIMARY KEY, rows INTEGER NOT NULL, columns INTEGER NOT NULL, receivers INTEGER NOT NULL, "
+    "CREATE TABLE rays(id INTEGER PRIMARY KEY, rows INTEGER NOT NULL, columns INTEGER NOT NULL, receivers INTEGER NOT "
+    "NULL, "
     "data BLOB NOT NULL)",
     "CREATE TABLE scan(id INTEGER PRIMARY KEY, position INTEGER NOT NULL, rays INTEGER REFERENCES rays(id), "
     "nominal BLOB NOT NULL, range BLOB NOT NULL)",
@@ -83,13 +84,16 @@ SessionFile SessionFile::create(const std::string& path, const std::optional<Pro
 
 SessionFile SessionFile::open(const std::string& path) {
   SessionFile session(Database(path, Database::Mode::Open));
-  Statement tables = session.database_.prepare("SELECT count(*) FROM sqlite_master WHERE name IN ('meta', 'scan', 'view', 'model')");
+  Statement tables =
+      session.database_.prepare("SELECT count(*) FROM sqlite_master WHERE name IN ('meta', 'scan', 'view', 'model')");
   tables.step();
-  if (tables.integer(0) != 4) throw InvalidInput(path + ": is a database, but not a session, expected the tables meta, scan, view and model");
+  if (tables.integer(0) != 4)
+    throw InvalidInput(path + ": is a database, but not a session, expected the tables meta, scan, view and model");
   const auto meta = allMeta(session.database_);
   const auto schema = meta.find("schema");
   if (schema == meta.end() || schema->second != kSchemaVersion)
-    throw InvalidInput(path + ": has the session schema " + (schema == meta.end() ? "none" : schema->second) + ", expected " + kSchemaVersion);
+    throw InvalidInput(path + ": has the session schema " + (schema == meta.end() ? "none" : schema->second) +
+                       ", expected " + kSchemaVersion);
   return session;
 }
 
@@ -218,7 +222,8 @@ Session SessionFile::load(const Progress& progress) {
     progress.checkpoint(0.6);
     const std::string what = database_.path() + ": view " + views.text(0);
     const std::int64_t scan = views.integer(1);
-    if (scan < 0 || scan >= static_cast<std::int64_t>(savedScans_.size())) throw InvalidInput(what + " names scan " + views.text(1) + ", which does not exist");
+    if (scan < 0 || scan >= static_cast<std::int64_t>(savedScans_.size()))
+      throw InvalidInput(what + " names scan " + views.text(1) + ", which does not exist");
     View view;
     view.image = savedScans_[static_cast<std::size_t>(scan)];
     view.mesh = std::make_shared<const ViewMesh>(triangulate(*view.image, triangulation));
@@ -231,7 +236,8 @@ Session SessionFile::load(const Progress& progress) {
     session.state.views.push_back(std::move(view));
   }
   Statement model = database_.prepare("SELECT data FROM model");
-  if (model.step()) session.state.model = std::make_shared<const Model>(modelFromBlob(model.blob(0), database_.path() + ": model"));
+  if (model.step())
+    session.state.model = std::make_shared<const Model>(modelFromBlob(model.blob(0), database_.path() + ": model"));
   progress.checkpoint(1.0);
   return session;
 }

@@ -18,11 +18,11 @@ struct Session {
 /// A session on disk: an SQLite database with every scan as it came and what was made of it.
 ///
 ///   meta(key, value)                         version of the schema, settings, why it ended
-///   file(name, content)                      the profile as it was read, and the files it names; none for recorded scans
-///   rays(id, rows, columns, receivers, data) ranging rays of recorded scans
-///   scan(id, position, rays, nominal, range) range images in the order they came; range is zstd over 32-bit floats
-///   view(id, scan, pose, samples, triangles) the scans that were integrated, where they were found
-///   model(id, data)                          the model that they led to, zstd
+///   file(name, content)                      the profile as it was read, and the files it names; none for recorded
+///   scans rays(id, rows, columns, receivers, data) ranging rays of recorded scans scan(id, position, rays, nominal,
+///   range) range images in the order they came; range is zstd over 32-bit floats view(id, scan, pose, samples,
+///   triangles) the scans that were integrated, where they were found model(id, data)                          the
+///   model that they led to, zstd
 class SessionFile {
  public:
   /// Makes a new, empty session; one of that name is replaced.

@@ -26,9 +26,9 @@ struct StepOptions {
 /// Options that fit a scanner: its breakdown angle, and the errors of its turntable as what is known of a pose.
 [[nodiscard]] StepOptions stepOptionsFor(const ScannerProfile& profile, const AcquisitionSettings& settings);
 
-/// Adds one scan: triangulates it, registers it with the model, spreads the loop-closing error over all views and zippers
-/// it in. The first scan keeps its nominal pose for ever. When registration fails the scan is kept as rejected and the
-/// model stays as it is. Steps reported: register, integrate.
+/// Adds one scan: triangulates it, registers it with the model, spreads the loop-closing error over all views and
+/// zippers it in. The first scan keeps its nominal pose for ever. When registration fails the scan is kept as rejected
+/// and the model stays as it is. Steps reported: register, integrate.
 /// @param predicted what the plan that chose the position promised.
 /// @throws InvalidInput when the scan has no surface at all; Cancelled
 [[nodiscard]] AcquisitionState addScan(const AcquisitionState& state, RangeImage image,

@@ -4,9 +4,9 @@
 
 namespace vantage {
 
-/// A seeded stream of random numbers (splitmix64 over a keyed counter), the same bits on every platform. Two streams with
-/// different keys are independent, so that work split over threads draws the same numbers: give every item a stream of
-/// its own, keyed by its index.
+/// A seeded stream of random numbers (splitmix64 over a keyed counter), the same bits on every platform. Two streams
+/// with different keys are independent, so that work split over threads draws the same numbers: give every item a
+/// stream of its own, keyed by its index.
 class Random {
  public:
   explicit Random(std::uint64_t seed, std::uint64_t stream = 0);

@@ -87,8 +87,9 @@ Model applyConsensus(const Model& model, std::span<const View> views, const Cons
   for (const View& view : views) witnesses.emplace_back(view, options);
   Model result = model;
   for (int pass = 0; pass < options.passes; ++pass)
-    averagePositions(result, witnesses,
-                     progress.part(static_cast<double>(pass) / options.passes, (pass + 1.0) / options.passes, "consensus"));
+    averagePositions(
+        result, witnesses,
+        progress.part(static_cast<double>(pass) / options.passes, (pass + 1.0) / options.passes, "consensus"));
   return result;
 }
 

@@ -30,7 +30,8 @@ ConstrainedDelaunay::ConstrainedDelaunay(std::span<const PlanePoint> points)
       faceFrom_(points.size() + 1, kNoIndex) {
   for (const PlanePoint& p : points_)
     if (std::max({p.x, p.y}) > kPlaneLimit || std::min({p.x, p.y}) < -kPlaneLimit)
-      throw InvalidInput("point " + std::to_string(p.x) + ", " + std::to_string(p.y) + " is too far out to triangulate");
+      throw InvalidInput("point " + std::to_string(p.x) + ", " + std::to_string(p.y) +
+                         " is too far out to triangulate");
   std::iota(representative_.begin(), representative_.end(), 0U);
   const std::vector<std::uint32_t> order = insertionOrder();
   std::array<std::uint32_t, 3> first{};
@@ -287,7 +288,8 @@ void ConstrainedDelaunay::forceEdge(std::uint32_t a, std::uint32_t b, std::vecto
       continue;
     }
     const Corner across = opposite(corner);
-    const Edge flipped{faces_[corner.face].vertex[(corner.edge + 2) % 3], faces_[across.face].vertex[(across.edge + 2) % 3]};
+    const Edge flipped{faces_[corner.face].vertex[(corner.edge + 2) % 3],
+                       faces_[across.face].vertex[(across.edge + 2) % 3]};
     flip(corner);
     if (cross(points_[a], points_[b], points_[flipped[0]], points_[flipped[1]]))
       queue.push_back(flipped);

@@ -11,8 +11,8 @@
 namespace vantage {
 
 /// The constrained Delaunay triangulation of points in the plane: every constraint is an edge, and no circle through a
-/// triangle holds a point that the triangle could see past the constraints. Decided in whole numbers, hence for any input;
-/// of four points on one circle either diagonal may be chosen.
+/// triangle holds a point that the triangle could see past the constraints. Decided in whole numbers, hence for any
+/// input; of four points on one circle either diagonal may be chosen.
 ///
 /// Points by Bowyer-Watson insertion with a point at infinity; constraints by edge flips (Sloan 1993).
 class ConstrainedDelaunay {

@@ -45,7 +45,8 @@ GridSurface::GridSurface(const View& view)
   if (!image_ || !image_->rays || !mesh_) throw InvalidInput("a view without range image or mesh cannot be integrated");
   const int largest = std::max(rays().rows(), rays().columns());
   if (largest > kPlaneLimit / kPlaneCell - 2)
-    throw InvalidInput("a ray grid of " + std::to_string(largest) + " rays along one side is too large to be integrated");
+    throw InvalidInput("a ray grid of " + std::to_string(largest) +
+                       " rays along one side is too large to be integrated");
   fillCells();
   rateVertices();
   boundRays();
@@ -66,7 +67,8 @@ void GridSurface::fillCells() {
   }
   if (mesh_->mesh.triangles.empty()) return;
   const Triangle& t = mesh_->mesh.triangles[0];
-  if (orientation(planePoint(mesh_->sample[t[0]]), planePoint(mesh_->sample[t[1]]), planePoint(mesh_->sample[t[2]])) < 0)
+  if (orientation(planePoint(mesh_->sample[t[0]]), planePoint(mesh_->sample[t[1]]), planePoint(mesh_->sample[t[2]])) <
+      0)
     columnSign_ = -1;
 }
 

@@ -18,8 +18,8 @@ struct GridContact {
   std::array<double, 3> weights{};  ///< barycentric, of the triangle's vertices
 };
 
-/// A view's mesh as a function over its ray grid, where it is a flat arrangement of triangles: what lies at a place, and
-/// how good it is there. Refers to the view's pieces, which it shares.
+/// A view's mesh as a function over its ray grid, where it is a flat arrangement of triangles: what lies at a place,
+/// and how good it is there. Refers to the view's pieces, which it shares.
 class GridSurface {
  public:
   /// @throws InvalidInput when the view has no image or no mesh, or the grid is too large to be handled exactly.
@@ -30,8 +30,8 @@ class GridSurface {
   [[nodiscard]] const Pose& T_object_scanner() const { return T_object_scanner_; }
   [[nodiscard]] const Pose& T_scanner_object() const { return T_scanner_object_; }
 
-  /// Whether a surface with this normal (scanner coordinates, unit) can lie within the angle with the given cosine of any
-  /// ray; false spares locating it.
+  /// Whether a surface with this normal (scanner coordinates, unit) can lie within the angle with the given cosine of
+  /// any ray; false spares locating it.
   [[nodiscard]] bool mayFace(const Vec3& normal, double minCosine) const {
     return -normal.dot(meanRay_) >= std::cos(std::min(std::acos(minCosine) + rayCone_, kPi));
   }

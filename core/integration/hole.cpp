@@ -46,7 +46,8 @@ std::vector<std::uint32_t> loopAt(const ModelEditor& editor, std::uint32_t verte
 Vec3 normalAround(const ModelEditor& editor, const std::vector<std::uint32_t>& loop) {
   Vec3 sum = Vec3::Zero();
   for (std::size_t i = 0; i < loop.size(); ++i)
-    sum += triangleNormal(editor.model().mesh, editor.triangle(editor.triangleAt(loop[(i + 1) % loop.size()], loop[i])));
+    sum +=
+        triangleNormal(editor.model().mesh, editor.triangle(editor.triangleAt(loop[(i + 1) % loop.size()], loop[i])));
   return sum.normalized();
 }
 
@@ -186,7 +187,8 @@ class HoleCloser {
   }
 
   // Whether every border vertex that the removal made is on the loop: one hole, not several.
-  bool holds(const std::vector<std::uint32_t>& loop, const std::vector<std::pair<Triangle, std::uint32_t>>& removed) const {
+  bool holds(const std::vector<std::uint32_t>& loop,
+             const std::vector<std::pair<Triangle, std::uint32_t>>& removed) const {
     for (const auto& [triangle, view] : removed)
       for (const std::uint32_t v : triangle)
         if (editor_.onBoundary(v) && std::find(loop.begin(), loop.end(), v) == loop.end()) return false;
@@ -203,7 +205,8 @@ class HoleCloser {
 
 }  // namespace
 
-std::size_t closeSmallHoles(ModelEditor& editor, const GridSurface& surface, std::uint32_t newView, const ZipperOptions& options) {
+std::size_t closeSmallHoles(ModelEditor& editor, const GridSurface& surface, std::uint32_t newView,
+                            const ZipperOptions& options) {
   HoleCloser closer(editor, surface, newView, options);
   std::vector<std::uint8_t> tried(editor.vertexCount(), 0);
   std::size_t closed = 0;

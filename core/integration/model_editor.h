@@ -11,8 +11,8 @@ namespace vantage {
 /// lets no two triangles use the same directed edge: what it holds is oriented consistently and has no edge with more
 /// than two triangles. Vertices with several fans are possible until `resolveBowTies`.
 ///
-/// Whether a vertex is on the boundary is known at once: its triangles sum up a hash of the vertex after it minus a hash
-/// of the one before it, which cancel where every edge at the vertex has both its triangles.
+/// Whether a vertex is on the boundary is known at once: its triangles sum up a hash of the vertex after it minus a
+/// hash of the one before it, which cancel where every edge at the vertex has both its triangles.
 class ModelEditor {
  public:
   /// @pre no directed edge is used twice

@@ -87,7 +87,8 @@ std::vector<ProjectedVertex> projectModel(const Model& model, const GridSurface&
   parallelChunks(result.size(), 2048, progress, [&](std::size_t begin, std::size_t end) {
     std::optional<GridPosition> hint;
     for (std::size_t v = begin; v < end; ++v)
-      result[v] = projector.project(T_scanner_object * model.mesh.vertices[v], T_scanner_object.linear() * normals[v], hint);
+      result[v] =
+          projector.project(T_scanner_object * model.mesh.vertices[v], T_scanner_object.linear() * normals[v], hint);
   });
   return result;
 }

@@ -5,8 +5,8 @@
 
 #include "base/progress.h"
 #include "integration/exact_plane.h"
-#include "integration/model.h"
 #include "integration/grid_surface.h"
+#include "integration/model.h"
 #include "integration/zipper_options.h"
 
 namespace vantage {

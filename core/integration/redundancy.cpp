@@ -9,9 +9,8 @@ namespace {
 
 // The view has surface at the triangle's place: the same, or behind it, which refutes it.
 bool judged(const Triangle& t, std::span<const ProjectedVertex> projected) {
-  return std::all_of(t.begin(), t.end(), [&](std::uint32_t v) {
-    return projected[v].contact == Contact::On || projected[v].refuted;
-  });
+  return std::all_of(t.begin(), t.end(),
+                     [&](std::uint32_t v) { return projected[v].contact == Contact::On || projected[v].refuted; });
 }
 
 double ownQuality(const Model& model, std::uint32_t v, std::span<const View> views) {
@@ -161,7 +160,8 @@ ViewCut cutView(const ModelEditor& editor, std::span<const ProjectedVertex> proj
                 const OverlapIndex& overlap, const ZipperOptions& options) {
   const ViewMesh& view = surface.mesh();
   const RayGrid& rays = surface.rays();
-  ViewCut cut{std::vector<std::uint8_t>(view.sample.size(), 1), std::vector<std::uint8_t>(view.mesh.triangles.size(), 1)};
+  ViewCut cut{std::vector<std::uint8_t>(view.sample.size(), 1),
+              std::vector<std::uint8_t>(view.mesh.triangles.size(), 1)};
 
   for (const auto& s : overlap.triangles()) {
     PlanePoint low;

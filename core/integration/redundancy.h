@@ -11,8 +11,8 @@ namespace vantage {
 
 /// Removes surface of the model that a view has seen better (Turk & Levoy 1994, 3.1): triangles that lie on the view's
 /// surface, or that the view has seen through, and whose mean quality is lower than the view's there by more than the
-/// margin, one by one from the model's border inwards. A vertex's quality is the confidence of its own sample, halved on its view's border. Small
-/// remainders that the view covers altogether go, too.
+/// margin, one by one from the model's border inwards. A vertex's quality is the confidence of its own sample, halved
+/// on its view's border. Small remainders that the view covers altogether go, too.
 /// @param views by the model's provenance.
 /// @return how many triangles went.
 std::size_t removeRedundantTriangles(ModelEditor& editor, std::span<const ProjectedVertex> projected,

@@ -57,7 +57,8 @@ class Gap {
     for (std::size_t t = 0; t < cut_.triangleKept.size(); ++t) {
       if (!cut_.triangleKept[t]) continue;
       const Triangle& v = view_.mesh.triangles[t];
-      added += editor_.addTriangle({modelVertexOf_[v[0]], modelVertexOf_[v[1]], modelVertexOf_[v[2]]}, newView_) ? 1 : 0;
+      added +=
+          editor_.addTriangle({modelVertexOf_[v[0]], modelVertexOf_[v[1]], modelVertexOf_[v[2]]}, newView_) ? 1 : 0;
     }
     return added;
   }
@@ -137,7 +138,8 @@ class GapTest {
     const bool ofModel = gap_.ofModel(t[0]);
     const bool joins = ofModel != gap_.ofModel(t[1]) || ofModel != gap_.ofModel(t[2]);
     const PlanePoint place[3] = {gap_.points[t[0]], gap_.points[t[1]], gap_.points[t[2]]};
-    return (joins || surface_.at(surface_.centreOf(place)).has_value()) && !overlapsView(place) && !overlap_.overlaps(place);
+    return (joins || surface_.at(surface_.centreOf(place)).has_value()) && !overlapsView(place) &&
+           !overlap_.overlaps(place);
   }
 
  private:
@@ -178,8 +180,9 @@ class GapTest {
 
 }  // namespace
 
-Seam stitch(ModelEditor& editor, std::span<const ProjectedVertex> projected, const GridSurface& surface, const ViewCut& cut,
-            const OverlapIndex& overlap, std::span<const View> views, std::uint32_t newView, const ZipperOptions& options) {
+Seam stitch(ModelEditor& editor, std::span<const ProjectedVertex> projected, const GridSurface& surface,
+            const ViewCut& cut, const OverlapIndex& overlap, std::span<const View> views, std::uint32_t newView,
+            const ZipperOptions& options) {
   Gap gap(editor, projected, surface, cut, newView);
   gap.addModelBorder();
   Seam seam;

@@ -78,7 +78,8 @@ class EdgeSurgery {
     if (editor_.triangleAt(c, d) != kNoIndex || editor_.triangleAt(d, c) != kNoIndex) return false;
     // A ridge along the edge would be cut off.
     if (normalOf({a, b, c}).dot(normalOf({b, a, d})) < minTurnCosine_) return false;
-    const Vec3 whole = (areaVector(editor_.model().mesh, {a, b, c}) + areaVector(editor_.model().mesh, {b, a, d})).normalized();
+    const Vec3 whole =
+        (areaVector(editor_.model().mesh, {a, b, c}) + areaVector(editor_.model().mesh, {b, a, d})).normalized();
     if (normalOf(first).dot(whole) < minTurnCosine_ || normalOf(second).dot(whole) < minTurnCosine_) return false;
     const std::uint32_t view = std::max(editor_.model().triangleView[t], editor_.model().triangleView[other]);
     editor_.removeTriangle(t);

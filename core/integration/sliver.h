@@ -8,11 +8,11 @@
 namespace vantage {
 
 struct SliverOptions {
-  double shortestEdge = 0.3;              ///< [mm] shorter edges are collapsed
+  double shortestEdge = 0.3;  ///< [mm] shorter edges are collapsed
   /// A triangle less round than this is improved by a flip if one helps. Roundness is 4 sqrt(3) area / (sum of squared
   /// sides): 1 when equilateral, 0 when flat, 0.56 for an apex of 20 degrees between equal sides.
   double minRoundness = 0.5;
-  double maxTurn = radians(50.0);         ///< neither may turn a triangle's normal farther than this
+  double maxTurn = radians(50.0);  ///< neither may turn a triangle's normal farther than this
   int flipRounds = 2;
 };
 

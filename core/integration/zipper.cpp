@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/errors.h"
+#include "integration/grid_surface.h"
 #include "integration/hole.h"
 #include "integration/manifold.h"
 #include "integration/model_editor.h"
@@ -12,7 +13,6 @@
 #include "integration/redundancy.h"
 #include "integration/seam.h"
 #include "integration/sliver.h"
-#include "integration/grid_surface.h"
 
 namespace vantage {
 namespace {
@@ -22,8 +22,9 @@ void checkProvenance(const Model& model, std::span<const View> views) {
     const std::uint32_t view = model.vertexView[v];
     if (view >= views.size() || !views[view].image || !views[view].mesh ||
         model.vertexSample[v] >= views[view].image->range.size() || !views[view].image->valid(model.vertexSample[v]))
-      throw InvalidInput("vertex " + std::to_string(v) + " of the model is sample " + std::to_string(model.vertexSample[v]) +
-                         " of view " + std::to_string(view) + ", which is not there");
+      throw InvalidInput("vertex " + std::to_string(v) + " of the model is sample " +
+                         std::to_string(model.vertexSample[v]) + " of view " + std::to_string(view) +
+                         ", which is not there");
   }
 }
 
@@ -45,10 +46,11 @@ ZipperStatistics& ZipperStatistics::operator+=(const ZipperStatistics& other) {
   return *this;
 }
 
-Integration integrateView(const Model& model, std::span<const View> views, std::uint32_t newView, const ZipperOptions& options,
-                          const Progress& progress) {
+Integration integrateView(const Model& model, std::span<const View> views, std::uint32_t newView,
+                          const ZipperOptions& options, const Progress& progress) {
   if (newView >= views.size())
-    throw InvalidInput("view " + std::to_string(newView) + " is to be integrated, but there are " + std::to_string(views.size()));
+    throw InvalidInput("view " + std::to_string(newView) + " is to be integrated, but there are " +
+                       std::to_string(views.size()));
   checkProvenance(model, views);
   const GridSurface surface(views[newView]);
   const std::vector<ProjectedVertex> projected = projectModel(model, surface, options, progress.part(0.0, 0.4));
@@ -81,7 +83,8 @@ Integration zipper(std::span<const View> views, const ZipperOptions& options, co
   Integration result;
   const auto count = static_cast<double>(views.size());
   for (std::uint32_t k = 0; k < views.size(); ++k) {
-    Integration step = integrateView(result.model, views, k, options, progress.part(k / count, (k + 1) / count, "zippering"));
+    Integration step =
+        integrateView(result.model, views, k, options, progress.part(k / count, (k + 1) / count, "zippering"));
     result.model = std::move(step.model);
     result.statistics += step.statistics;
   }

@@ -32,8 +32,8 @@ struct Integration {
 
 /// Adds views[newView] to a model that was made of other views (Turk & Levoy 1994): removes redundant surface on either
 /// side, clips, stitches, removes slivers. Vertices are samples where the registered views put them: what later views
-/// are added to; `applyConsensus` makes the geometry to publish. The model stays manifold and consistently oriented, with
-/// boundaries where nothing was seen. An empty model becomes the view's mesh, made manifold.
+/// are added to; `applyConsensus` makes the geometry to publish. The model stays manifold and consistently oriented,
+/// with boundaries where nothing was seen. An empty model becomes the view's mesh, made manifold.
 ///
 /// A view that faces the surface far better than the model's own samples replaces them; else the model's stay, and the
 /// view adds what lies beyond its border.
@@ -43,7 +43,8 @@ struct Integration {
                                         const ZipperOptions& options, const Progress& progress = {});
 
 /// All views, one after the other.
-[[nodiscard]] Integration zipper(std::span<const View> views, const ZipperOptions& options, const Progress& progress = {});
+[[nodiscard]] Integration zipper(std::span<const View> views, const ZipperOptions& options,
+                                 const Progress& progress = {});
 
 /// The model with every vertex where its sample lies under the views' present poses. Topology stays: for poses that a
 /// refinement has moved by less than the sample spacing.

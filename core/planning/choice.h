@@ -25,7 +25,9 @@ struct Choice {
 };
 
 /// What a position promises: its traced void area where there is one, otherwise that of positional space [mm^2].
-[[nodiscard]] inline double promise(const PositionScore& score) { return score.tracedVoidArea.value_or(score.voidArea); }
+[[nodiscard]] inline double promise(const PositionScore& score) {
+  return score.tracedVoidArea.value_or(score.voidArea);
+}
 
 /// The objective N(i) = o_v(i) if o_s(i) > t, else 0 (Pito 1999, 5.3), maximised over the positions. A tie goes to the
 /// least motion from `current`, then to the lower index. When void is left above F but every such position falls short

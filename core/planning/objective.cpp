@@ -69,14 +69,15 @@ std::vector<double> voidObjective(std::span<const VoidPatch> patches, const Patc
   return sums;
 }
 
-std::vector<double> overlapObjective(std::span<const SurfaceElement> seen, const RayCaster& obstacles, const ScannerImages& images,
-                                     const ObjectiveOptions& options, const Progress& progress) {
+std::vector<double> overlapObjective(std::span<const SurfaceElement> seen, const RayCaster& obstacles,
+                                     const ScannerImages& images, const ObjectiveOptions& options,
+                                     const Progress& progress) {
   std::vector<ObservationSource> sources;
   sources.reserve(seen.size());
   for (const SurfaceElement& e : seen)
     if (!e.normal.isZero()) sources.push_back({e.centre, e.normal, e.area});
-  const auto image = accumulate(sources, obstacles, images, options.breakdownAngle,
-                                accumulation(options, false), progress);
+  const auto image =
+      accumulate(sources, obstacles, images, options.breakdownAngle, accumulation(options, false), progress);
   return intersect(image, images);
 }
 

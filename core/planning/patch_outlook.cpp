@@ -13,11 +13,16 @@ constexpr std::size_t kGrain = 64;
 // The reason that goes with the farthest stage any position got to.
 EdgeReason reasonFor(Visibility best) {
   switch (best) {
-    case Visibility::OutOfReach: return EdgeReason::OutOfReach;
-    case Visibility::TooSteep: return EdgeReason::TooSteep;
-    case Visibility::LightBlocked: return EdgeReason::LightBlocked;
-    case Visibility::ReceiverBlocked: return EdgeReason::ReceiverBlocked;
-    case Visibility::Seen: return EdgeReason::BelowThreshold;
+    case Visibility::OutOfReach:
+      return EdgeReason::OutOfReach;
+    case Visibility::TooSteep:
+      return EdgeReason::TooSteep;
+    case Visibility::LightBlocked:
+      return EdgeReason::LightBlocked;
+    case Visibility::ReceiverBlocked:
+      return EdgeReason::ReceiverBlocked;
+    case Visibility::Seen:
+      return EdgeReason::BelowThreshold;
   }
   return EdgeReason::BelowThreshold;
 }

@@ -20,10 +20,10 @@ struct OutlookOptions {
   double cosineGain = 0.07;
 };
 
-/// What the views taken so far say about every patch. What one view did not find at a patch, another that sees it no more
-/// squarely will not find either: at a rim that is too steep for every position the patches of one view would otherwise
-/// attract all others. A patch that views should have answered and did not stays void for the record and attracts no
-/// more, so that termination is certain.
+/// What the views taken so far say about every patch. What one view did not find at a patch, another that sees it no
+/// more squarely will not find either: at a rim that is too steep for every position the patches of one view would
+/// otherwise attract all others. A patch that views should have answered and did not stays void for the record and
+/// attracts no more, so that termination is certain.
 class PatchHistory {
  public:
   /// @param sight with a breakdown angle so wide that it also tells of views that see a patch too steeply.
@@ -45,8 +45,8 @@ class PatchHistory {
   std::vector<double> bestCosine_;  // per patch: the most squarely that any view has seen it
 };
 
-/// What is known of every patch. With `positions` (all of the workspace, once nothing attracts a view any more) it is the
-/// certificate of termination: why each edge is left; without them reasons stay BelowThreshold unless answered.
+/// What is known of every patch. With `positions` (all of the workspace, once nothing attracts a view any more) it is
+/// the certificate of termination: why each edge is left; without them reasons stay BelowThreshold unless answered.
 [[nodiscard]] std::vector<PatchOutlook> certify(std::span<const VoidPatch> patches, const PatchHistory& history,
                                                 std::span<const Pose> positions, const SightTest& sight,
                                                 const Progress& progress);

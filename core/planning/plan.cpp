@@ -4,23 +4,34 @@ namespace vantage {
 
 std::string_view name(Constraint constraint) {
   switch (constraint) {
-    case Constraint::Chosen: return "chosen";
-    case Constraint::Outscored: return "outscored";
-    case Constraint::BelowThreshold: return "below_threshold";
-    case Constraint::OverlapShort: return "overlap_short";
-    case Constraint::PoseUncertain: return "pose_uncertain";
+    case Constraint::Chosen:
+      return "chosen";
+    case Constraint::Outscored:
+      return "outscored";
+    case Constraint::BelowThreshold:
+      return "below_threshold";
+    case Constraint::OverlapShort:
+      return "overlap_short";
+    case Constraint::PoseUncertain:
+      return "pose_uncertain";
   }
   return "";
 }
 
 std::string_view name(EdgeReason reason) {
   switch (reason) {
-    case EdgeReason::OutOfReach: return "out_of_reach";
-    case EdgeReason::TooSteep: return "too_steep";
-    case EdgeReason::LightBlocked: return "light_blocked";
-    case EdgeReason::ReceiverBlocked: return "receiver_blocked";
-    case EdgeReason::BelowThreshold: return "below_threshold";
-    case EdgeReason::Answered: return "answered";
+    case EdgeReason::OutOfReach:
+      return "out_of_reach";
+    case EdgeReason::TooSteep:
+      return "too_steep";
+    case EdgeReason::LightBlocked:
+      return "light_blocked";
+    case EdgeReason::ReceiverBlocked:
+      return "receiver_blocked";
+    case EdgeReason::BelowThreshold:
+      return "below_threshold";
+    case EdgeReason::Answered:
+      return "answered";
   }
   return "";
 }

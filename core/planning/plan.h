@@ -20,10 +20,10 @@ enum class PlanOutcome : std::uint8_t {
 /// What decided over a position: none for the choice itself, otherwise the constraint that bound first.
 enum class Constraint : std::uint8_t {
   Chosen,
-  Outscored,         ///< allowed, but another position promises more
-  BelowThreshold,    ///< o_v does not exceed F
-  OverlapShort,      ///< o_s falls short of t
-  PoseUncertain,     ///< the overlap would not fix the pose to within the sample spacing
+  Outscored,       ///< allowed, but another position promises more
+  BelowThreshold,  ///< o_v does not exceed F
+  OverlapShort,    ///< o_s falls short of t
+  PoseUncertain,   ///< the overlap would not fix the pose to within the sample spacing
 };
 [[nodiscard]] std::string_view name(Constraint constraint);
 
@@ -37,7 +37,7 @@ struct PositionScore {
   std::optional<double> poseSigma;  ///< predicted error of registration along its weak direction [mm]
   std::string weakDirection;        ///< what the overlap fixes worst, in words; empty when not predicted
   Constraint constraint = Constraint::BelowThreshold;
-  double shortBy = 0.0;             ///< how much the constraint is missed by, in its unit (mm^2 or mm)
+  double shortBy = 0.0;                ///< how much the constraint is missed by, in its unit (mm^2 or mm)
   std::vector<std::uint32_t> patches;  ///< patches that it would see, by index; only where traced
 };
 
@@ -55,22 +55,22 @@ inline constexpr int kEdgeReasons = 6;
 
 /// The state of one void patch for the planner.
 struct PatchOutlook {
-  std::uint8_t looks = 0;  ///< views taken so far that should have sampled a surface there
-  bool answered = false;   ///< enough looks: it attracts no more views
+  std::uint8_t looks = 0;                          ///< views taken so far that should have sampled a surface there
+  bool answered = false;                           ///< enough looks: it attracts no more views
   EdgeReason reason = EdgeReason::BelowThreshold;  ///< what keeps it void; meaningful once nothing is left to scan
 };
 
 /// The planner's answer and its explanation.
 struct Plan {
   PlanOutcome outcome = PlanOutcome::Finished;
-  int position = -1;                  ///< the next best view; -1 unless Found
-  double leastOverlap = 0.0;          ///< t [mm^2]
-  double terminationThreshold = 0.0;  ///< F [mm^2]
-  int relaxations = 0;                ///< how often t was halved to find a position
-  double angularError = 0.0;          ///< of positional space [rad]
-  std::vector<PositionScore> scores;  ///< every position of the workspace, in order
+  int position = -1;                         ///< the next best view; -1 unless Found
+  double leastOverlap = 0.0;                 ///< t [mm^2]
+  double terminationThreshold = 0.0;         ///< F [mm^2]
+  int relaxations = 0;                       ///< how often t was halved to find a position
+  double angularError = 0.0;                 ///< of positional space [rad]
+  std::vector<PositionScore> scores;         ///< every position of the workspace, in order
   std::shared_ptr<const VoidSurface> voids;  ///< the void patches that it is about
-  std::vector<PatchOutlook> outlook;  ///< per patch
+  std::vector<PatchOutlook> outlook;         ///< per patch
 };
 
 }  // namespace vantage

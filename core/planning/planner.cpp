@@ -13,8 +13,8 @@
 #include "planning/candidate_tracing.h"
 #include "planning/choice.h"
 #include "planning/objective.h"
-#include "registration/motion_information.h"
 #include "planning/void_extent.h"
+#include "registration/motion_information.h"
 #include "void_space/void_patch_builder.h"
 
 namespace vantage {
@@ -54,7 +54,8 @@ Mesh withoutBorder(const Mesh& mesh) {
     nearBorder = std::move(grown);
   }
   Mesh inner = mesh;
-  std::erase_if(inner.triangles, [&](const Triangle& t) { return nearBorder[t[0]] || nearBorder[t[1]] || nearBorder[t[2]]; });
+  std::erase_if(inner.triangles,
+                [&](const Triangle& t) { return nearBorder[t[0]] || nearBorder[t[1]] || nearBorder[t[2]]; });
   return inner;
 }
 
@@ -64,7 +65,8 @@ std::vector<SurfaceElement> surfaceElements(const Mesh& mesh, std::size_t count)
   std::vector<SurfaceElement> elements;
   for (std::size_t i = stride / 2; i < mesh.triangles.size(); i += stride) {
     const Triangle& t = mesh.triangles[i];
-    elements.push_back({triangleCentre(mesh, t), triangleNormal(mesh, t), static_cast<double>(stride) * triangleArea(mesh, t)});
+    elements.push_back(
+        {triangleCentre(mesh, t), triangleNormal(mesh, t), static_cast<double>(stride) * triangleArea(mesh, t)});
   }
   return elements;
 }
@@ -94,14 +96,13 @@ class Planning {
     SightOptions grazing = sight_;
     grazing.breakdownAngle = kGrazingAngle;
     const PatchHistory history(patches, input_.views, SightTest(input_.profile, obstacles, grazing),
-                               input_.profile.breakdownAngle, options_.outlook,
-                               voidProgress.part(0.8, 1.0));
+                               input_.profile.breakdownAngle, options_.outlook, voidProgress.part(0.8, 1.0));
 
     const auto voidAreas = voidObjective(patches, history, input_.model, obstacles, input_.images, objective_,
                                          progress.part(0.25, 0.45, "project_void"));
     const Mesh seen = withoutBorder(mesh);
-    const auto overlapAreas =
-        overlapObjective(surfaceElements(seen, options_.planningTriangles), obstacles, input_.images, objective_, progress.part(0.45, 0.75, "project_seen"));
+    const auto overlapAreas = overlapObjective(surfaceElements(seen, options_.planningTriangles), obstacles,
+                                               input_.images, objective_, progress.part(0.45, 0.75, "project_seen"));
     for (std::size_t i = 0; i < voidAreas.size(); ++i) {
       PositionScore score;
       score.position = static_cast<int>(i);
@@ -116,7 +117,8 @@ class Planning {
  private:
   // A second scan from the same place finds what the first one found.
   [[nodiscard]] bool taken(int position) const {
-    return std::any_of(input_.views.begin(), input_.views.end(), [&](const View& v) { return v.image->position == position; });
+    return std::any_of(input_.views.begin(), input_.views.end(),
+                       [&](const View& v) { return v.image->position == position; });
   }
 
   [[nodiscard]] VoidSurface findVoid(const Progress& progress) const {
@@ -134,8 +136,8 @@ class Planning {
     const double perView = area(input_.model.mesh) / static_cast<double>(input_.views.size());
     rules.leastOverlap = options_.leastOverlap.value_or(
         std::max(options_.overlapShare * perView, options_.overlapSamples * spacing_ * spacing_));
-    rules.terminationThreshold = options_.terminationThreshold.value_or(std::max(
-        options_.thresholdEdges * spacing_ * spacing_, options_.thresholdShare * area(input_.model.mesh)));
+    rules.terminationThreshold = options_.terminationThreshold.value_or(
+        std::max(options_.thresholdEdges * spacing_ * spacing_, options_.thresholdShare * area(input_.model.mesh)));
     rules.maxPoseSigma = options_.poseSigmaShare * spacing_;
     return rules;
   }
@@ -150,7 +152,8 @@ class Planning {
       const auto next = untracedLeaders(plan.scores, choice, choiceRules);
       if (next.empty()) break;
       parallelChunks(next.size(), 1, progress, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t k = begin; k < end; ++k) trace(plan.scores[next[k]], plan.voids->patches, elements, history, sight);
+        for (std::size_t k = begin; k < end; ++k)
+          trace(plan.scores[next[k]], plan.voids->patches, elements, history, sight);
       });
       choice = choose(plan.scores, input_.profile.workspace, input_.current, choiceRules);
     }
@@ -160,24 +163,28 @@ class Planning {
     plan.relaxations = choice.relaxations;
     plan.terminationThreshold = choiceRules.terminationThreshold;
     plan.angularError = input_.images.grid().shape().angularError;
-    plan.outlook = certify(plan.voids->patches, history,
-                           choice.outcome == PlanOutcome::Found ? std::span<const Pose>() : input_.profile.workspace.poses,
-                           sight, progress);
+    plan.outlook =
+        certify(plan.voids->patches, history,
+                choice.outcome == PlanOutcome::Found ? std::span<const Pose>() : input_.profile.workspace.poses, sight,
+                progress);
   }
 
-  // The positions not yet traced that could beat the choice, best first, a batch at a time. The first batch is filled up
-  // with positions that promise less: positional space may be wrong by its angular error.
+  // The positions not yet traced that could beat the choice, best first, a batch at a time. The first batch is filled
+  // up with positions that promise less: positional space may be wrong by its angular error.
   [[nodiscard]] std::vector<std::size_t> untracedLeaders(const std::vector<PositionScore>& scores, const Choice& choice,
                                                          const ChoiceOptions& choiceRules) const {
     const double toBeat = promise(scores[static_cast<std::size_t>(choice.position)]);
-    const bool first = std::none_of(scores.begin(), scores.end(), [](const auto& s) { return s.tracedVoidArea.has_value(); });
+    const bool first =
+        std::none_of(scores.begin(), scores.end(), [](const auto& s) { return s.tracedVoidArea.has_value(); });
     std::vector<std::size_t> order;
     for (std::size_t i = 0; i < scores.size(); ++i) {
       const PositionScore& s = scores[i];
-      const bool open = !s.tracedVoidArea && s.overlapArea > choice.leastOverlap && s.voidArea > choiceRules.terminationThreshold;
+      const bool open =
+          !s.tracedVoidArea && s.overlapArea > choice.leastOverlap && s.voidArea > choiceRules.terminationThreshold;
       if (open && (first || s.voidArea >= toBeat)) order.push_back(i);
     }
-    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return scores[a].voidArea > scores[b].voidArea; });
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return scores[a].voidArea > scores[b].voidArea; });
     order.resize(std::min<std::size_t>(order.size(), static_cast<std::size_t>(std::max(1, options_.tracedPositions))));
     return order;
   }

@@ -17,8 +17,8 @@ namespace vantage {
 struct PlannerOptions {
   /// u: triangles sampled with less confidence attract views that would sample them with at least u (Appendix). 0: off.
   double tolerance = 0.0;
-  /// t, least confidence-weighted overlap away from the model's border [mm^2]; unset: `overlapShare` of the model's area
-  /// per view taken, but no less than the area of `overlapSamples` samples.
+  /// t, least confidence-weighted overlap away from the model's border [mm^2]; unset: `overlapShare` of the model's
+  /// area per view taken, but no less than the area of `overlapSamples` samples.
   std::optional<double> leastOverlap;
   double overlapShare = 0.1;
   double overlapSamples = 300.0;
@@ -37,7 +37,8 @@ struct PlannerOptions {
   int tracedPositions = 16;
   /// Triangles that stand for the model's surface when it is projected into positional space.
   std::size_t planningTriangles = 30000;
-  /// A model of more triangles than this is decimated before rays are traced through it, by no more than the error [mm].
+  /// A model of more triangles than this is decimated before rays are traced through it, by no more than the error
+  /// [mm].
   std::size_t tracedTriangles = 300000;
   double planningError = 0.1;
   OutlookOptions outlook;
@@ -52,10 +53,10 @@ struct PlanInput {
   int current = -1;  ///< position of the last scan, -1 for none
 };
 
-/// Finds the next best view (Pito 1999, 5.3): void patches on the model's boundary and the model's triangles are projected
-/// into positional space, every position of the workspace is scored by intersecting its image with theirs, and the
-/// positions that promise most are judged again with the scanner's own rays. Steps reported: void_patches, project_void,
-/// project_seen, choose.
+/// Finds the next best view (Pito 1999, 5.3): void patches on the model's boundary and the model's triangles are
+/// projected into positional space, every position of the workspace is scored by intersecting its image with theirs,
+/// and the positions that promise most are judged again with the scanner's own rays. Steps reported: void_patches,
+/// project_void, project_seen, choose.
 /// @throws InvalidInput when there is no view yet. @throws Cancelled
 [[nodiscard]] Plan planNextView(const PlanInput& input, const PlannerOptions& options, const Progress& progress);
 

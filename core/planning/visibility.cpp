@@ -6,11 +6,16 @@ namespace vantage {
 
 std::string_view name(Visibility visibility) {
   switch (visibility) {
-    case Visibility::OutOfReach: return "out_of_reach";
-    case Visibility::TooSteep: return "too_steep";
-    case Visibility::LightBlocked: return "light_blocked";
-    case Visibility::ReceiverBlocked: return "receiver_blocked";
-    case Visibility::Seen: return "seen";
+    case Visibility::OutOfReach:
+      return "out_of_reach";
+    case Visibility::TooSteep:
+      return "too_steep";
+    case Visibility::LightBlocked:
+      return "light_blocked";
+    case Visibility::ReceiverBlocked:
+      return "receiver_blocked";
+    case Visibility::Seen:
+      return "seen";
   }
   return "";
 }

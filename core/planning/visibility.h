@@ -8,8 +8,8 @@
 
 namespace vantage {
 
-/// Whether a scanner samples a point of a surface, and if not, the first thing that keeps it from doing so, in the order
-/// in which a scan meets them.
+/// Whether a scanner samples a point of a surface, and if not, the first thing that keeps it from doing so, in the
+/// order in which a scan meets them.
 enum class Visibility : std::uint8_t { OutOfReach, TooSteep, LightBlocked, ReceiverBlocked, Seen };
 
 /// "out_of_reach", "too_steep", "light_blocked", "receiver_blocked", "seen".
@@ -24,13 +24,13 @@ struct Sight {
 
 struct SightOptions {
   double breakdownAngle = radians(60.0);  ///< [rad]
-  double offset = 0.3;   ///< the lines begin this far in front of the surface [mm]
-  double margin = 0.6;   ///< and what blocks them within this distance does not count [mm]
+  double offset = 0.3;                    ///< the lines begin this far in front of the surface [mm]
+  double margin = 0.6;                    ///< and what blocks them within this distance does not count [mm]
 };
 
 /// Looks at a point with the scanner's own ranging rays: the ray through it, its range limits, its angle, and the lines
-/// to light and receivers through the obstacles. Exact where positional space is quantised; its cost grows with the number
-/// of poses, so it serves to judge the few positions that positional space proposes.
+/// to light and receivers through the obstacles. Exact where positional space is quantised; its cost grows with the
+/// number of poses, so it serves to judge the few positions that positional space proposes.
 class SightTest {
  public:
   /// Both must outlive the test.

@@ -40,7 +40,8 @@ bool facing(const Front& a, const Front& b, double distance) {
 }  // namespace
 
 std::vector<double> voidExtents(std::span<const VoidPatch> patches, double reach) {
-  if (!(reach > 0.0)) throw InvalidInput("the reach of void patches is " + std::to_string(reach) + " mm, expected more than 0");
+  if (!(reach > 0.0))
+    throw InvalidInput("the reach of void patches is " + std::to_string(reach) + " mm, expected more than 0");
   const double widest = 2.0 * reach;
   std::vector<Front> fronts;
   std::map<Cell, std::vector<std::uint32_t>> cells;

@@ -8,10 +8,8 @@
 
 #include "registration/pair_term.h"
 
-
 namespace vantage {
 namespace {
-
 
 // Points move less than this share of the pose's own uncertainty: it has settled.
 constexpr double kSettledShare = 0.1;
@@ -41,8 +39,7 @@ std::vector<std::uint32_t> Aligner::visible(const Pose& T_object_scanner, const 
   std::vector<Pair> pairs(ids.size());
   PairGates gates = gatesAt(options_.coarseGate);
   gates.depth = 3.0 * std::max(options_.hiddenDepth, options_.coarseGate);
-  findPairs(model_.surface(), ids, T_object_scanner.inverse(), surface_, gates,
-            positions, progress, pairs);
+  findPairs(model_.surface(), ids, T_object_scanner.inverse(), surface_, gates, positions, progress, pairs);
   std::vector<std::uint32_t> seen;
   for (std::size_t k = 0; k < ids.size(); ++k)
     if (pairs[k].state != PairState::Unseen) seen.push_back(ids[k]);
@@ -69,7 +66,8 @@ Aligner::Step Aligner::solve(const Pose& T, std::span<const Pair> pairs, double 
   Vec6 scale;
   scale << Vec3::Constant(1.0 / extent.radius), Vec3::Ones();
   const Mat6 toMotion = scale.asDiagonal();
-  const Mat6 information = toMotion * (term.information + toPrior.transpose() * prior_.information * toPrior) * toMotion;
+  const Mat6 information =
+      toMotion * (term.information + toPrior.transpose() * prior_.information * toPrior) * toMotion;
   const Vec6 pull = toMotion * (term.pull - toPrior.transpose() * prior_.information * away);
   const Vec6 y = share * information.ldlt().solve(pull);
 
@@ -95,7 +93,8 @@ Fit Aligner::run(const Pose& T_object_scanner, const std::vector<std::uint32_t>&
   while (true) {
     const double done = fit.iterations / (schedule.maxIterations + 1.0);
     const Progress round = progress.part(done, done + 1.0 / (schedule.maxIterations + 1.0));
-    findPairs(model_.surface(), ids, fit.T_object_scanner.inverse(), surface_, gatesAt(gate), positions, round, fit.pairs);
+    findPairs(model_.surface(), ids, fit.T_object_scanner.inverse(), surface_, gatesAt(gate), positions, round,
+              fit.pairs);
     fit.sigma = std::max(leastSigma, 1.4826 * medianDistance(fit.pairs));
     if (fit.settled || fit.iterations == schedule.maxIterations) return fit;
     const Step step = solve(fit.T_object_scanner, fit.pairs, fit.sigma, finalRounds < kFullSteps ? 1.0 : 0.5);

@@ -12,8 +12,8 @@ namespace vantage {
 struct Fit {
   Pose T_object_scanner = Pose::Identity();
   std::vector<Pair> pairs;
-  double sigma = 0.0;      ///< robust deviation of the pairs' distances [mm]
-  int heldByPrior = 0;     ///< number of independent motions that the pairs leave to the prior
+  double sigma = 0.0;   ///< robust deviation of the pairs' distances [mm]
+  int heldByPrior = 0;  ///< number of independent motions that the pairs leave to the prior
   int iterations = 0;
   bool settled = false;
 };

@@ -12,10 +12,10 @@
 namespace vantage {
 
 struct AlignmentOptions {
-  IcpOptions icp;                        ///< of every single view; a prior in it counts for all of them
-  MultiViewOptions refinement;           ///< of the views that found their place
-  std::size_t pointsPerView = 8000;     ///< of every placed view that the next one is registered against
-  std::size_t finePoints = 15000;       ///< in the place of icp.finePoints: the refinement follows
+  IcpOptions icp;                    ///< of every single view; a prior in it counts for all of them
+  MultiViewOptions refinement;       ///< of the views that found their place
+  std::size_t pointsPerView = 8000;  ///< of every placed view that the next one is registered against
+  std::size_t finePoints = 15000;    ///< in the place of icp.finePoints: the refinement follows
 };
 
 /// How one view found its place.
@@ -27,10 +27,10 @@ struct ViewAlignment {
 };
 
 struct AlignmentResult {
-  std::vector<Pose> poses;            ///< one per view; the first to the last bit as given, those that failed as well
-  std::vector<ViewAlignment> views;   ///< one per view; the first is Good by definition
-  std::vector<std::size_t> order;     ///< views in the order in which they were placed, the first first
-  MultiViewResult refinement;         ///< of the views in `order`, sorted by index
+  std::vector<Pose> poses;           ///< one per view; the first to the last bit as given, those that failed as well
+  std::vector<ViewAlignment> views;  ///< one per view; the first is Good by definition
+  std::vector<std::size_t> order;    ///< views in the order in which they were placed, the first first
+  MultiViewResult refinement;        ///< of the views in `order`, sorted by index
 };
 
 /// Brings scans with rough poses together: from the first view on always the view that overlaps most with those placed

@@ -14,16 +14,16 @@ namespace vantage {
 struct IcpOptions {
   /// Where the view may be, around its start pose. Unset: 3 degrees and 3 mm about the view's centroid, all directions.
   std::optional<PosePrior> prior;
-  double coarseGate = 10.0;        ///< largest distance of a pair at the beginning [mm]
-  double finalGate = 0.8;          ///< and at the end [mm]
+  double coarseGate = 10.0;            ///< largest distance of a pair at the beginning [mm]
+  double finalGate = 0.8;              ///< and at the end [mm]
   double coarseAngle = radians(45.0);  ///< largest angle between the normals of a pair at the beginning [rad]
   double finalAngle = radians(35.0);   ///< and at the end [rad]
-  double hiddenDepth = 10.0;       ///< model surface farther behind the view's counts as hidden [mm]
-  std::size_t coarsePoints = 4000;  ///< of the model, until the pose settles
-  std::size_t finePoints = 60000;   ///< of the model, in the last rounds
+  double hiddenDepth = 10.0;           ///< model surface farther behind the view's counts as hidden [mm]
+  std::size_t coarsePoints = 4000;     ///< of the model, until the pose settles
+  std::size_t finePoints = 60000;      ///< of the model, in the last rounds
   int maxIterations = 60;
-  double tolerance = 1e-3;         ///< the pose has settled when points move less than this [mm]
-  bool searchRivals = true;        ///< look for other poses that fit as well (repetitive shapes)
+  double tolerance = 1e-3;   ///< the pose has settled when points move less than this [mm]
+  bool searchRivals = true;  ///< look for other poses that fit as well (repetitive shapes)
   VerdictLimits limits;
 };
 
@@ -36,8 +36,8 @@ struct RegistrationResult {
   double conflictShare = 0.0;  ///< among those, points that the scanner looked through, 0..1
   std::size_t pairs = 0;
   int iterations = 0;
-  Stability stability;         ///< of the pairs alone
-  double poseSigma = 0.0;      ///< farthest that a point moves for one sigma of the weakest motion, with the prior [mm]
+  Stability stability;     ///< of the pairs alone
+  double poseSigma = 0.0;  ///< farthest that a point moves for one sigma of the weakest motion, with the prior [mm]
 };
 
 /// Point-to-plane ICP of a view against the model. Every round looks the model's points up along the view's rays

@@ -17,12 +17,13 @@ struct Stability {
   Vec6 eigenvalues = Vec6::Zero();
   /// The motion that is held least, (rotation, translation) with (radius * rotation, translation) of length 1.
   Vec6 weakDirection = Vec6::Zero();
-  std::string weakName;    ///< that motion in words: "slides along z", "turns about (0.7, 0.7, 0.0)"
-  double poseSigma = 0.0;  ///< farthest that a point moves for one sigma of the weak motion [mm]; infinite if nothing holds
+  std::string weakName;  ///< that motion in words: "slides along z", "turns about (0.7, 0.7, 0.0)"
+  double poseSigma =
+      0.0;  ///< farthest that a point moves for one sigma of the weak motion [mm]; infinite if nothing holds
 };
 
 struct StabilityOptions {
-  double noiseSigma = 0.1;   ///< of a pair's distance [mm]
+  double noiseSigma = 0.1;  ///< of a pair's distance [mm]
   /// Noise of a pair's normal [rad]. Noisy normals make a smooth cylinder look as if it could not turn; what they
   /// pretend is taken off the information.
   double normalSigma = 0.0;

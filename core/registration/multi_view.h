@@ -11,35 +11,35 @@
 namespace vantage {
 
 struct MultiViewOptions {
-  double coarseGate = 2.0;            ///< largest distance of a pair at the beginning [mm]
-  double finalGate = 0.8;             ///< and at the end [mm]
-  double maxAngle = radians(35.0);    ///< between the normals of a pair [rad]
-  double hiddenDepth = 10.0;          ///< surface farther behind another view's counts as hidden [mm]
-  double minOverlap = 0.03;           ///< share of a view's points that must meet another view for the two to be tied
+  double coarseGate = 2.0;          ///< largest distance of a pair at the beginning [mm]
+  double finalGate = 0.8;           ///< and at the end [mm]
+  double maxAngle = radians(35.0);  ///< between the normals of a pair [rad]
+  double hiddenDepth = 10.0;        ///< surface farther behind another view's counts as hidden [mm]
+  double minOverlap = 0.03;         ///< share of a view's points that must meet another view for the two to be tied
   /// Points looked up per round, shared by all pairs of views; each direction of a pair gets at least `leastPoints`.
-  std::size_t coarsePoints = 30000;   ///< until the poses settle
-  std::size_t finePoints = 300000;    ///< in the last rounds
+  std::size_t coarsePoints = 30000;  ///< until the poses settle
+  std::size_t finePoints = 300000;   ///< in the last rounds
   std::size_t leastPoints = 500;
   int maxIterations = 40;
-  double tolerance = 2e-3;            ///< the poses have settled when points move less than this [mm]
+  double tolerance = 2e-3;  ///< the poses have settled when points move less than this [mm]
   /// What else is known of the poses, one per view around its pose, or empty: 3 degrees and 3 mm about each view's
   /// centroid. It decides about motions that no pair of views holds.
   std::vector<PosePrior> priors;
 };
 
 struct MultiViewResult {
-  std::vector<Pose> poses;          ///< one per view, T_object_scanner; the first is the given one to the last bit
-  double rmsBefore = 0.0;           ///< of the overlaps, distances beyond the final gate counting as the gate [mm]
-  double rmsAfter = 0.0;            ///< never larger
-  std::size_t pairs = 0;            ///< of points, in the last round
+  std::vector<Pose> poses;  ///< one per view, T_object_scanner; the first is the given one to the last bit
+  double rmsBefore = 0.0;   ///< of the overlaps, distances beyond the final gate counting as the gate [mm]
+  double rmsAfter = 0.0;    ///< never larger
+  std::size_t pairs = 0;    ///< of points, in the last round
   int iterations = 0;
-  bool improved = false;            ///< false: the poses are the given ones
-  std::vector<Stability> stability; ///< per view, of its pairs with all others
+  bool improved = false;             ///< false: the poses are the given ones
+  std::vector<Stability> stability;  ///< per view, of its pairs with all others
 };
 
 /// Refines the poses of all views at once: minimises the symmetric point-to-plane distances of all overlapping pairs of
-/// views (projective association both ways, gates coarse to fine, Geman-McClure weights), one sparse system of 6 (n - 1)
-/// unknowns per round. The error that a chain of registrations piles up where it closes is spread over all views.
+/// views (projective association both ways, gates coarse to fine, Geman-McClure weights), one sparse system of 6 (n -
+/// 1) unknowns per round. The error that a chain of registrations piles up where it closes is spread over all views.
 ///
 /// Poses are taken over only if the robust error falls. Deterministic for any thread count.
 /// @throws InvalidInput when the options contradict each other or priors are not one per view; Cancelled

@@ -34,9 +34,9 @@ Pair judgePair(const Vec3& p, const Vec3& normal, float confidence, const Surfac
     pair.state = !sample.inside ? PairState::Border : depth > 0.0 ? PairState::Behind : PairState::InFront;
     return pair;
   }
-  pair.state = !sample.inside                           ? PairState::Border
-               : agreement < std::cos(gates.angle)      ? PairState::Turned
-                                                        : PairState::Paired;
+  pair.state = !sample.inside                      ? PairState::Border
+               : agreement < std::cos(gates.angle) ? PairState::Turned
+                                                   : PairState::Paired;
   return pair;
 }
 

@@ -23,19 +23,19 @@ enum class PairState : std::uint8_t {
 
 /// A point and its partner on a view's surface.
 struct Pair {
-  Vec3 point = Vec3::Zero();      ///< the partner on the view, scanner coordinates
-  Vec3 normal = Vec3::Zero();     ///< mean of both normals, unit: the symmetric point-to-plane direction
-  double distance = 0.0;          ///< normal . (point looked up - partner) [mm]
-  double normalSpread = 0.0;      ///< squared difference of the two normals
-  float weight = 0.0F;            ///< geometric mean of the confidences
+  Vec3 point = Vec3::Zero();   ///< the partner on the view, scanner coordinates
+  Vec3 normal = Vec3::Zero();  ///< mean of both normals, unit: the symmetric point-to-plane direction
+  double distance = 0.0;       ///< normal . (point looked up - partner) [mm]
+  double normalSpread = 0.0;   ///< squared difference of the two normals
+  float weight = 0.0F;         ///< geometric mean of the confidences
   PairState state = PairState::Unseen;
 };
 
 /// Which pairs are believed.
 struct PairGates {
-  double distance = 0.8;              ///< farthest along the normal [mm]
-  double depth = 10.0;                ///< a point farther behind the surface is hidden, not misplaced [mm]
-  double angle = radians(35.0);       ///< largest between the normals
+  double distance = 0.8;         ///< farthest along the normal [mm]
+  double depth = 10.0;           ///< a point farther behind the surface is hidden, not misplaced [mm]
+  double angle = radians(35.0);  ///< largest between the normals
 };
 
 /// Looks up points[ids[k]] on the surface, the result goes to pairs[k]; `positions` (one per id) carries over from

@@ -11,7 +11,9 @@ namespace {
 constexpr double kMeasured = 2.0;
 
 // The mean of two normals that differ by d across two directions has variance |d|^2 / 8 in each.
-double normalSigma(double summedSpread, double count) { return std::sqrt(summedSpread / count / 8.0); }
+double normalSigma(double summedSpread, double count) {
+  return std::sqrt(summedSpread / count / 8.0);
+}
 
 }  // namespace
 

@@ -17,7 +17,9 @@ Eigen::Matrix3d crossMatrix(const Vec3& v) {
   return m;
 }
 
-Mat6 diagonalInformation(const Vec6& sigma) { return sigma.cwiseAbs2().cwiseInverse().asDiagonal(); }
+Mat6 diagonalInformation(const Vec6& sigma) {
+  return sigma.cwiseAbs2().cwiseInverse().asDiagonal();
+}
 
 }  // namespace
 

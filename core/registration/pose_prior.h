@@ -16,9 +16,9 @@ struct PosePrior {
 /// @throws InvalidInput unless both are positive.
 [[nodiscard]] PosePrior isotropicPrior(double rotationSigma, double translationSigma, const Vec3& centre);
 
-/// What a turntable leaves open after a number of moves (at least 1) that each add an error: sigmas grow with the square
-/// root of the moves. The degrees of freedom that a turntable does not have get 0.05 degrees and 0.05 mm, which is also
-/// the least of the others.
+/// What a turntable leaves open after a number of moves (at least 1) that each add an error: sigmas grow with the
+/// square root of the moves. The degrees of freedom that a turntable does not have get 0.05 degrees and 0.05 mm, which
+/// is also the least of the others.
 [[nodiscard]] PosePrior turntablePrior(const Mechanics& mechanics, int moves = 1);
 
 /// The rigid motion x (rotation [rad] about `centre`, then translation [mm]).

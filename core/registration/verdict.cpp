@@ -12,7 +12,9 @@ std::string number(double value, const char* format = "%.2f") {
   return text.data();
 }
 
-std::string percent(double share) { return number(100.0 * share, "%.0f %%"); }
+std::string percent(double share) {
+  return number(100.0 * share, "%.0f %%");
+}
 
 std::string motionText(const Evidence& e) {
   return "it moved " + number(e.motion, "%.1f") + " sigma away from where the mechanics put it";

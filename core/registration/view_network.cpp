@@ -57,8 +57,8 @@ double overlapShare(const PreparedView& from, const PreparedView& to, const Pose
 }
 
 std::vector<ViewLink> findLinks(std::span<const PreparedView> views, std::span<const Pose> poses,
-                                const PairGates& gates, double minOverlap, std::size_t points,
-                                std::size_t leastPoints, const Progress& progress) {
+                                const PairGates& gates, double minOverlap, std::size_t points, std::size_t leastPoints,
+                                const Progress& progress) {
   const std::size_t n = views.size();
   std::vector<double> overlap(n * n, 0.0);
   parallelChunks(n * n, 1, progress.part(0.0, 0.5), [&](std::size_t k, std::size_t) {

@@ -6,7 +6,8 @@
 
 namespace vantage {
 
-/// A motion that is held badly, scaled so that rotation and translation compare: (radius * rotation, translation), unit.
+/// A motion that is held badly, scaled so that rotation and translation compare: (radius * rotation, translation),
+/// unit.
 struct WeakDirection {
   Vec6 direction = Vec6::Zero();
   std::string name;

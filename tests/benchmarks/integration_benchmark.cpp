@@ -1,7 +1,7 @@
-// Zippering eight views of a mug with relief, 0.99 million triangles, and the consensus geometry, on the same input as the
-// programs compared with: VANTAGE_PERF_DATA names the folder with view0.rng ... view7.rng and the true mug.ply. Prints
-// medians of the times, the largest time for adding one view, and what the model is. With a path as argument the model is
-// written there as PLY, for the judge that the others were measured with.
+// Zippering eight views of a mug with relief, 0.99 million triangles, and the consensus geometry, on the same input as
+// the programs compared with: VANTAGE_PERF_DATA names the folder with view0.rng ... view7.rng and the true mug.ply.
+// Prints medians of the times, the largest time for adding one view, and what the model is. With a path as argument the
+// model is written there as PLY, for the judge that the others were measured with.
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -75,8 +75,8 @@ void run(const std::string& folder, const std::string& output) {
   const MeshMeasures m = measure(published.mesh);
   std::printf("8 views, %zu triangles: zippered in %.3f s (slowest view %.3f s), consensus %.3f s\n", triangles,
               median(zippering), median(slowest), median(averaging));
-  std::printf("model: %zu triangles, %zu boundary loops, %zu non-manifold edges, %zu pieces\n", m.triangles, m.boundaryLoops,
-              m.nonManifoldEdges, m.components);
+  std::printf("model: %zu triangles, %zu boundary loops, %zu non-manifold edges, %zu pieces\n", m.triangles,
+              m.boundaryLoops, m.nonManifoldEdges, m.components);
   if (!output.empty()) writePly(output, published.mesh);
 }
 

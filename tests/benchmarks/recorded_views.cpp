@@ -54,7 +54,8 @@ View readRecordedView(const std::string& path, double breakdownAngle) {
   std::vector<RangingRay> rays;
   for (int r = 0; r < head.rows; ++r) {
     for (int c = 0; c < head.columns; ++c) {
-      const Vec3 d((c + 0.5 - head.columns / 2.0) / head.focalLength, (r + 0.5 - head.rows / 2.0) / head.focalLength, 1);
+      const Vec3 d((c + 0.5 - head.columns / 2.0) / head.focalLength, (r + 0.5 - head.rows / 2.0) / head.focalLength,
+                   1);
       rays.push_back({Vec3::Zero(), d.normalized()});
       const float z = depth[rays.size() - 1];
       image->range.push_back(z > 0.0F ? static_cast<float>(z * d.norm()) : kNoSample);

@@ -7,8 +7,8 @@
 
 namespace vantage {
 
-/// The folder of recorded range images that the libraries compared with were measured on, VANTAGE_PERF_DATA; nothing when
-/// it is not set.
+/// The folder of recorded range images that the libraries compared with were measured on, VANTAGE_PERF_DATA; nothing
+/// when it is not set.
 [[nodiscard]] std::optional<std::string> recordedViewsFolder();
 
 /// Reads a .rng file, a pinhole scanner's depth image with its true pose, and triangulates it.

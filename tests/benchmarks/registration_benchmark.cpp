@@ -62,7 +62,9 @@ Pose disturbance(std::uint64_t seed, double angle, double shift) {
   return motion;
 }
 
-View readView(const std::string& path) { return readRecordedView(path, radians(70.0)); }
+View readView(const std::string& path) {
+  return readRecordedView(path, radians(70.0));
+}
 
 double squaredError(const View& view, const Pose& found) {
   double squares = 0.0;

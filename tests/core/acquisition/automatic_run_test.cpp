@@ -31,7 +31,8 @@ TEST(AutomaticRun, StopsByItselfWithTheScannableSurfaceCovered) {
   EvaluationOptions options;
   options.tolerance = 1.0;
   options.samples = 5000;
-  const Evaluation e = evaluate(state.model->mesh, testing::smallObject(), *testing::smallProfile(), options, Progress());
+  const Evaluation e =
+      evaluate(state.model->mesh, testing::smallObject(), *testing::smallProfile(), options, Progress());
   EXPECT_GE(e.coverage, 0.95);
   EXPECT_LE(e.rms, 0.15);
 }
@@ -87,7 +88,9 @@ TEST(AutomaticRun, ObserverHearsOfEveryStepAndCancellingLeavesTheLastOneWhole) {
     last = s;
     if (s.views.size() == 2) stop.request_stop();
   };
-  EXPECT_THROW(static_cast<void>(acquire(state, scanner, images, settings, observer, Progress({}, stop.get_token(), 2))), Cancelled);
+  EXPECT_THROW(
+      static_cast<void>(acquire(state, scanner, images, settings, observer, Progress({}, stop.get_token(), 2))),
+      Cancelled);
   EXPECT_EQ(last.views.size(), 2U);
   EXPECT_EQ(last.records.size(), 2U);
   ASSERT_TRUE(last.model);

@@ -36,12 +36,14 @@ TEST(Evaluation, MissesTheHalfThatIsNotThere) {
 TEST(Evaluation, CountsSurfaceThatTheObjectDoesNotHave) {
   const Mesh object = testing::makeSphere(40, 40, {0, 0, 50});
   const Mesh extra = testing::makeSphere(20, 20, {70, 0, 50});  // a quarter of the object's area, 10 mm away from it
-  const Evaluation e = evaluate(testing::joined(object, extra), object, *testing::smallProfile(), fewSamples(), Progress());
+  const Evaluation e =
+      evaluate(testing::joined(object, extra), object, *testing::smallProfile(), fewSamples(), Progress());
   EXPECT_NEAR(e.falseSurface, 0.2, 0.02);
 }
 
 TEST(Evaluation, NeedsTriangles) {
-  EXPECT_THROW(static_cast<void>(evaluate(Mesh{}, testing::smallObject(), *testing::smallProfile(), {}, Progress())), InvalidInput);
+  EXPECT_THROW(static_cast<void>(evaluate(Mesh{}, testing::smallObject(), *testing::smallProfile(), {}, Progress())),
+               InvalidInput);
 }
 
 }  // namespace

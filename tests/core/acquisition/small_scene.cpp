@@ -6,7 +6,8 @@
 namespace vantage::testing {
 
 ProfileSource smallProfileSource() {
-  return {"small.json", R"({
+  return {"small.json",
+          R"({
     "name": "Small scanner",
     "scanner": { "type": "rotating_stripe", "position": [250, 0, 60], "stripe_height_mm": 120, "samples_per_stripe": 61,
       "stripes": 81, "sweep_deg": 50, "receivers": [[50, 0, 0]], "breakdown_angle_deg": 65, "range_mm": [100, 400],
@@ -14,7 +15,8 @@ ProfileSource smallProfileSource() {
     "workspace": { "type": "turntable", "steps": 24 },
     "viewing_volume": { "radius_mm": 90, "height_mm": 120 },
     "positional_space": { "surface": "cylinder", "rows": 10, "columns": 48 },
-    "mechanics": { "angle_sigma_deg": 0.2, "position_sigma_mm": 0.2 } })", {}};
+    "mechanics": { "angle_sigma_deg": 0.2, "position_sigma_mm": 0.2 } })",
+          {}};
 }
 
 std::shared_ptr<const ScannerProfile> smallProfile() {
@@ -22,7 +24,8 @@ std::shared_ptr<const ScannerProfile> smallProfile() {
 }
 
 Mesh smallObject() {
-  return joined(joined(makeSphere(32, 24, {5, -8, 40}), makeSphere(20, 20, {-30, 12, 55})), makeSphere(14, 16, {30, 25, 30}));
+  return joined(joined(makeSphere(32, 24, {5, -8, 40}), makeSphere(20, 20, {-30, 12, 55})),
+                makeSphere(14, 16, {30, 25, 30}));
 }
 
 AcquisitionState acquireSmallObject(const AcquisitionSettings& settings, int threads, const StepObserver& observer) {

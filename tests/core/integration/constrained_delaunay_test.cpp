@@ -33,7 +33,8 @@ std::int64_t twiceArea(const std::vector<PlanePoint>& points, const std::vector<
 
 // Andrew's monotone chain.
 std::int64_t twiceHullArea(std::vector<PlanePoint> points) {
-  std::sort(points.begin(), points.end(), [](const auto& a, const auto& b) { return a.x != b.x ? a.x < b.x : a.y < b.y; });
+  std::sort(points.begin(), points.end(),
+            [](const auto& a, const auto& b) { return a.x != b.x ? a.x < b.x : a.y < b.y; });
   std::vector<PlanePoint> hull;
   for (int pass = 0; pass < 2; ++pass) {
     const std::size_t start = hull.size();
@@ -166,8 +167,9 @@ TEST(ConstrainedDelaunay, RandomConstraintsAreKeptAndTheRestIsDelaunay) {
       // Points on the way divide it: collect its pieces.
       std::vector<std::uint32_t> chain;
       for (std::uint32_t p = 0; p < points.size(); ++p)
-        if (delaunay.representative(p) == p && (p == a || p == b ||
-            (orientation(points[a], points[b], points[p]) == 0 && strictlyBetween(points[a], points[b], points[p]))))
+        if (delaunay.representative(p) == p &&
+            (p == a || p == b ||
+             (orientation(points[a], points[b], points[p]) == 0 && strictlyBetween(points[a], points[b], points[p]))))
           chain.push_back(p);
       std::sort(chain.begin(), chain.end(), [&](std::uint32_t p, std::uint32_t q) {
         return points[p].x != points[q].x ? points[p].x < points[q].x : points[p].y < points[q].y;

@@ -24,9 +24,8 @@ Height flat(double z) {
   return [z](double, double) { return z; };
 }
 Height flatWithGap(const Vec2& from, const Vec2& to) {
-  return [=](double x, double y) {
-    return x >= from.x() && x <= to.x() && y >= from.y() && y <= to.y() ? kNothing : 0.0;
-  };
+  return
+      [=](double x, double y) { return x >= from.x() && x <= to.x() && y >= from.y() && y <= to.y() ? kNothing : 0.0; };
 }
 // Sees the right margin only.
 Height elsewhere() {
@@ -37,7 +36,8 @@ Height elsewhere() {
 Model modelWith(const Height& height, bool twoViews) {
   Model model = modelOf(lookDown(kWindow, height).mesh->mesh);
   if (twoViews)
-    for (std::size_t v = 0; v < model.vertexView.size(); ++v) model.vertexView[v] = model.mesh.vertices[v].x() < 5.5 ? 0 : 1;
+    for (std::size_t v = 0; v < model.vertexView.size(); ++v)
+      model.vertexView[v] = model.mesh.vertices[v].x() < 5.5 ? 0 : 1;
   return model;
 }
 
@@ -75,6 +75,20 @@ TEST(CloseSmallHoles, DoesNotWrapASmallPiece) {
   // One cell of two triangles: its outer border is a short loop, too.
   ModelEditor editor(modelWith([](double x, double y) { return x < 2 && y < 2 ? 0.0 : kNothing; }, true));
   EXPECT_EQ(closeSeenFrom(editor, flat(0.0)), 0U);
+}
+
+TEST(CloseSmallHoles, ReplacesTrianglesWhereTheBorderOverlapsItself) {
+  // One triangle is missing, and one of its corners has been pushed across the opposite side: the hole has turned over.
+  Model model = modelWith([](double, double) { return 0.0; }, true);
+  const std::uint32_t pushed = 5 * 12 + 5;
+  ASSERT_EQ(std::erase(model.mesh.triangles, Triangle{pushed, pushed + 1, pushed + 13}), 1U);
+  model.triangleView.pop_back();
+  model.mesh.vertices[pushed] = Vec3(6.3, 5.4, 0.0);
+  ModelEditor editor(std::move(model));
+  EXPECT_EQ(closeSeenFrom(editor, flat(0.0)), 1U);
+  const Mesh mesh = std::move(editor).take().mesh;
+  EXPECT_EQ(eulerCharacteristic(mesh), 1);
+  for (const Triangle& t : mesh.triangles) EXPECT_GT(areaVector(mesh, t).z(), 0.0);
 }
 
 }  // namespace

@@ -79,7 +79,8 @@ long eulerCharacteristic(const Mesh& mesh) {
       edges.insert(std::minmax(t[k], t[(k + 1) % 3]));
     }
   }
-  return static_cast<long>(vertices.size()) - static_cast<long>(edges.size()) + static_cast<long>(mesh.triangles.size());
+  return static_cast<long>(vertices.size()) - static_cast<long>(edges.size()) +
+         static_cast<long>(mesh.triangles.size());
 }
 
 std::size_t countBowTies(const Mesh& mesh) {

@@ -13,8 +13,8 @@ namespace vantage::testing {
 struct Window {
   int rows = 0;
   int columns = 0;
-  double x = 0.0;  ///< of the first column [mm]
-  double y = 0.0;  ///< of the first row [mm]
+  double x = 0.0;         ///< of the first column [mm]
+  double y = 0.0;         ///< of the first row [mm]
   bool mirrored = false;  ///< columns run the other way
 };
 
@@ -22,7 +22,8 @@ struct Window {
 using Height = std::function<double(double, double)>;
 
 /// A view straight down on a height field with parallel rays, in object coordinates but for the pose.
-[[nodiscard]] View lookDown(const Window& window, const Height& height, const Pose& T_object_scanner = Pose::Identity());
+[[nodiscard]] View lookDown(const Window& window, const Height& height,
+                            const Pose& T_object_scanner = Pose::Identity());
 
 /// Views of an object by a depth camera 300 mm away of 90 x 90 rays, about 1.1 mm apart at the object, from directions
 /// given as azimuth and elevation [rad] about the origin, with noise along the rays [mm].

@@ -30,7 +30,9 @@ std::vector<Direction> allAround() {
   return directions;
 }
 
-std::vector<View> ballViews(double noise) { return scanFrom(makeSphere(kRadius, 60), allAround(), noise); }
+std::vector<View> ballViews(double noise) {
+  return scanFrom(makeSphere(kRadius, 60), allAround(), noise);
+}
 
 void expectManifold(const Mesh& mesh) {
   EXPECT_EQ(measure(mesh).nonManifoldEdges, 0U);

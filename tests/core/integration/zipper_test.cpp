@@ -69,7 +69,8 @@ TEST(Zipper, AbuttingGridsAreStitchedButDistantOnesAreNot) {
 }
 
 TEST(Zipper, MirroredGridFacesTheScannerAllTheSame) {
-  const std::vector<View> views{lookDown({21, 21, 0, 0, true}, flat(0.0)), lookDown({21, 21, 12.4, 3.3, true}, flat(0.0)),
+  const std::vector<View> views{lookDown({21, 21, 0, 0, true}, flat(0.0)),
+                                lookDown({21, 21, 12.4, 3.3, true}, flat(0.0)),
                                 lookDown({21, 21, 5.2, 14.7}, flat(0.0))};
   const Model model = zipper(views, {}).model;
   expectDisc(model.mesh);
@@ -97,7 +98,8 @@ TEST(Zipper, UndersideIsNotTakenForTheTop) {
   // A plate 0.3 mm thick, seen from above and from below.
   Pose fromBelow = Pose::Identity();
   fromBelow.rotate(Eigen::AngleAxisd(kPi, Vec3::UnitX()));
-  const std::vector<View> views{lookDown({21, 21, 0, -10}, flat(0.0)), lookDown({21, 21, 0, -10}, flat(0.3), fromBelow)};
+  const std::vector<View> views{lookDown({21, 21, 0, -10}, flat(0.0)),
+                                lookDown({21, 21, 0, -10}, flat(0.3), fromBelow)};
   const Integration result = zipper(views, {});
   EXPECT_EQ(result.statistics.removedFromViews, 0U);
   EXPECT_EQ(result.statistics.removedFromModel, 0U);

@@ -13,7 +13,8 @@ PositionScore score(int position, double voidArea, double overlapArea) {
   return s;
 }
 
-const ChoiceOptions kOptions{.leastOverlap = 100.0, .terminationThreshold = 10.0, .maxPoseSigma = 1.0, .maxRelaxations = 3};
+const ChoiceOptions kOptions{
+    .leastOverlap = 100.0, .terminationThreshold = 10.0, .maxPoseSigma = 1.0, .maxRelaxations = 3};
 
 TEST(Choice, TakesTheMostVoidAmongThoseWithEnoughOverlap) {
   std::vector<PositionScore> scores{score(0, 50, 500), score(1, 90, 99), score(2, 70, 101), score(3, 5, 500)};

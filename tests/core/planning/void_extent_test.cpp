@@ -26,7 +26,8 @@ TEST(VoidExtents, ASlitCountsByItsWidth) {
 
 TEST(VoidExtents, OnlyPatchesThatFaceEachOtherBoundASlit) {
   EXPECT_EQ(voidExtents(std::vector{patchAt(0, -1), patchAt(2, 1)}, 5.0), (std::vector{1.0, 1.0}));  // back to back
-  EXPECT_EQ(voidExtents(std::vector{patchAt(0, 1), patchAt(2, 1)}, 5.0), (std::vector{1.0, 1.0}));   // one behind the other
+  EXPECT_EQ(voidExtents(std::vector{patchAt(0, 1), patchAt(2, 1)}, 5.0),
+            (std::vector{1.0, 1.0}));  // one behind the other
   EXPECT_EQ(voidExtents(std::vector{patchAt(0, 1), patchAt(1, -1, 5.0)}, 5.0), (std::vector{1.0, 1.0}));  // beside
 }
 

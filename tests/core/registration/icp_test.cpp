@@ -20,14 +20,18 @@ using testing::randomMotion;
 using testing::scanFrom;
 using testing::scanVase;
 
-RegistrationTarget targetOf(const View& view) { return RegistrationTarget(std::span(&view, 1)); }
+RegistrationTarget targetOf(const View& view) {
+  return RegistrationTarget(std::span(&view, 1));
+}
 
 RegistrationResult registerFrom(const View& view, const Pose& start, const RegistrationTarget& target,
                                 const IcpOptions& options = {}, const Progress& progress = {}) {
   return registerView(*view.mesh, *view.image->rays, start, target, options, progress);
 }
 
-bool sameBytes(const Pose& a, const Pose& b) { return a.matrix() == b.matrix(); }
+bool sameBytes(const Pose& a, const Pose& b) {
+  return a.matrix() == b.matrix();
+}
 
 TEST(Icp, BringsAViewBackFromThreeDegreesAndThreeMillimetres) {
   const auto profile = makeProfile(0.1);

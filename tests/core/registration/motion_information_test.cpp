@@ -204,8 +204,7 @@ TEST(Stability, NoiseOfNormalsIsNotTakenForRelief) {
   Cloud cloud = cylinder();
   Random random(9);
   const double sigma = 0.03;
-  for (Vec3& n : cloud.normals)
-    n = (n + sigma * Vec3(random.normal(), random.normal(), random.normal())).normalized();
+  for (Vec3& n : cloud.normals) n = (n + sigma * Vec3(random.normal(), random.normal(), random.normal())).normalized();
   StabilityOptions options;
   const double pretended = cloud.analyse(options).eigenvalues[1];
   options.normalSigma = sigma;

@@ -91,8 +91,7 @@ TEST(MultiView, NeverMakesItWorse) {
   const MultiViewResult again = refineViews(ring.views, {});
   EXPECT_LE(once.rmsAfter, once.rmsBefore);
   EXPECT_LE(again.rmsAfter, again.rmsBefore);
-  for (std::size_t i = 0; i < 6 && !again.improved; ++i)
-    EXPECT_TRUE(again.poses[i].matrix() == once.poses[i].matrix());
+  for (std::size_t i = 0; i < 6 && !again.improved; ++i) EXPECT_TRUE(again.poses[i].matrix() == once.poses[i].matrix());
 }
 
 TEST(MultiView, LeavesAViewWithoutOverlapWhereItIs) {

@@ -18,7 +18,9 @@ Evidence sound() {
   return e;
 }
 
-TEST(Verdict, OfSoundEvidenceIsGood) { EXPECT_EQ(judge(sound(), {}).verdict, Verdict::Good); }
+TEST(Verdict, OfSoundEvidenceIsGood) {
+  EXPECT_EQ(judge(sound(), {}).verdict, Verdict::Good);
+}
 
 TEST(Verdict, FailsWithoutOverlap) {
   Evidence e = sound();

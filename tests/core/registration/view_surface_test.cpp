@@ -17,8 +17,8 @@ using testing::scanFrom;
 // Parallel rays along -x on a 1 mm grid that meet the tilted plane x = 0.2 y everywhere.
 View tiltedPlane() {
   auto image = std::make_shared<RangeImage>();
-  image->rays = std::make_shared<RayGrid>(
-      makeRays(LinearStripe{Vec3(100, 0, 0), 20.0, 21, 21, 20.0}, ReceiverOffsets{}));
+  image->rays =
+      std::make_shared<RayGrid>(makeRays(LinearStripe{Vec3(100, 0, 0), 20.0, 21, 21, 20.0}, ReceiverOffsets{}));
   for (std::size_t i = 0; i < image->rays->size(); ++i)
     image->range.push_back(static_cast<float>(100.0 - 0.2 * image->rays->ray(i).origin.y()));
   View view;
