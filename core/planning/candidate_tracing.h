@@ -18,13 +18,6 @@ struct SurfaceElement {
   double area;  ///< [mm^2]
 };
 
-/// How much unseen surface stands behind a void patch, seen from one direction.
-///
-/// A patch is the front of an unseen region. If the surface curves away from the viewer beyond the edge, a view that
-/// leans beyond it by the angle phi sees (theta_b + phi) of arc, one that looks back at it only (theta_b - phi); the
-/// factor is that share of theta_b. 1 for a view along the patch's normal, which gives the objective of the paper.
-[[nodiscard]] double lookAhead(const VoidPatch& patch, const Vec3& direction, double breakdownAngle);
-
 /// Follows the scanner's own rays from one position to every patch: fills in the traced void area and the patches it
 /// would see.
 /// @param breakdownAngle for the look-ahead [rad]; unset: without it.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "planning/patch_promise.h"
 #include "positional_space/objective_sums.h"
 #include "positional_space/positional_image.h"
 

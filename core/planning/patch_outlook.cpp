@@ -10,23 +10,6 @@ namespace {
 
 constexpr std::size_t kGrain = 64;
 
-// The reason that goes with the farthest stage any position got to.
-EdgeReason reasonFor(Visibility best) {
-  switch (best) {
-    case Visibility::OutOfReach:
-      return EdgeReason::OutOfReach;
-    case Visibility::TooSteep:
-      return EdgeReason::TooSteep;
-    case Visibility::LightBlocked:
-      return EdgeReason::LightBlocked;
-    case Visibility::ReceiverBlocked:
-      return EdgeReason::ReceiverBlocked;
-    case Visibility::Seen:
-      return EdgeReason::BelowThreshold;
-  }
-  return EdgeReason::BelowThreshold;
-}
-
 }  // namespace
 
 PatchHistory::PatchHistory(std::span<const VoidPatch> patches, std::span<const View> views, const SightTest& sight,
@@ -46,30 +29,6 @@ PatchHistory::PatchHistory(std::span<const VoidPatch> patches, std::span<const V
       }
     }
   });
-}
-
-std::vector<PatchOutlook> certify(std::span<const VoidPatch> patches, const PatchHistory& history,
-                                  std::span<const Pose> positions, const SightTest& sight, const Progress& progress) {
-  std::vector<PatchOutlook> outlook(patches.size());
-  parallelChunks(patches.size(), kGrain, progress, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t p = begin; p < end; ++p) {
-      outlook[p].looks = static_cast<std::uint8_t>(std::min(history.looks(p), 255));
-      outlook[p].answered = history.answered(p);
-      if (outlook[p].answered) {
-        outlook[p].reason = EdgeReason::Answered;
-        continue;
-      }
-      if (positions.empty()) continue;
-      Visibility best = Visibility::OutOfReach;
-      for (const Pose& pose : positions) {
-        best = std::max(best, sight.look(pose, patches[p].centre, patches[p].normal).visibility);
-        if (best == Visibility::Seen) break;
-      }
-      outlook[p].reason = reasonFor(best);
-      if (best == Visibility::Seen && history.looks(p) > 0) outlook[p].reason = EdgeReason::Answered;
-    }
-  });
-  return outlook;
 }
 
 }  // namespace vantage

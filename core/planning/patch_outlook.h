@@ -45,10 +45,4 @@ class PatchHistory {
   std::vector<double> bestCosine_;  // per patch: the most squarely that any view has seen it
 };
 
-/// What is known of every patch. With `positions` (all of the workspace, once nothing attracts a view any more) it is
-/// the certificate of termination: why each edge is left; without them reasons stay BelowThreshold unless answered.
-[[nodiscard]] std::vector<PatchOutlook> certify(std::span<const VoidPatch> patches, const PatchHistory& history,
-                                                std::span<const Pose> positions, const SightTest& sight,
-                                                const Progress& progress);
-
 }  // namespace vantage

@@ -58,14 +58,17 @@ struct PatchOutlook {
   std::uint8_t looks = 0;                          ///< views taken so far that should have sampled a surface there
   bool answered = false;                           ///< enough looks: it attracts no more views
   EdgeReason reason = EdgeReason::BelowThreshold;  ///< what keeps it void; meaningful once nothing is left to scan
+  double promise = 0.0;  ///< most that any one position would show of it; known like the reason [mm^2]
 };
 
 /// The planner's answer and its explanation.
 struct Plan {
   PlanOutcome outcome = PlanOutcome::Finished;
-  int position = -1;                         ///< the next best view; -1 unless Found
-  double leastOverlap = 0.0;                 ///< t [mm^2]
-  double terminationThreshold = 0.0;         ///< F [mm^2]
+  int position = -1;                  ///< the next best view; -1 unless Found
+  double leastOverlap = 0.0;          ///< t [mm^2]
+  double terminationThreshold = 0.0;  ///< F [mm^2]
+  /// What all views that are still possible together would show, once the best of them shows little [mm^2].
+  double voidLeft = 0.0;
   int relaxations = 0;                       ///< how often t was halved to find a position
   double angularError = 0.0;                 ///< of positional space [rad]
   std::vector<PositionScore> scores;         ///< every position of the workspace, in order

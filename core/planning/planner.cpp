@@ -11,6 +11,7 @@
 #include "geometry/measures.h"
 #include "geometry/mesh_topology.h"
 #include "planning/candidate_tracing.h"
+#include "planning/certificate.h"
 #include "planning/choice.h"
 #include "planning/objective.h"
 #include "planning/void_extent.h"
@@ -131,21 +132,30 @@ class Planning {
     return surface;
   }
 
+  // F for so many edges.
+  [[nodiscard]] double thresholdFor(double edges) const {
+    const double share = options_.thresholdShare * edges / options_.thresholdEdges;
+    return options_.terminationThreshold.value_or(
+        std::max(edges * spacing_ * spacing_, share * area(input_.model.mesh)));
+  }
+
   [[nodiscard]] ChoiceOptions rules() const {
     ChoiceOptions rules;
     const double perView = area(input_.model.mesh) / static_cast<double>(input_.views.size());
     rules.leastOverlap = options_.leastOverlap.value_or(
         std::max(options_.overlapShare * perView, options_.overlapSamples * spacing_ * spacing_));
-    rules.terminationThreshold = options_.terminationThreshold.value_or(
-        std::max(options_.thresholdEdges * spacing_ * spacing_, options_.thresholdShare * area(input_.model.mesh)));
+    rules.terminationThreshold = thresholdFor(options_.leastThresholdEdges);
     rules.maxPoseSigma = options_.poseSigmaShare * spacing_;
     return rules;
   }
 
+  [[nodiscard]] std::optional<double> lookAheadAngle() const {
+    return options_.lookAhead ? std::optional(input_.profile.breakdownAngle) : std::nullopt;
+  }
+
   // Judges the positions that promise most with the scanner's own rays, until the best of them is known for sure.
-  void decide(Plan& plan, const Mesh& seen, const PatchHistory& history, const SightTest& sight,
-              const Progress& progress) const {
-    const ChoiceOptions choiceRules = rules();
+  Choice chooseTraced(Plan& plan, const Mesh& seen, const PatchHistory& history, const SightTest& sight,
+                      const ChoiceOptions& choiceRules, const Progress& progress) const {
     const auto elements = surfaceElements(seen, kOverlapElements);
     Choice choice = choose(plan.scores, input_.profile.workspace, input_.current, choiceRules);
     while (choice.outcome == PlanOutcome::Found) {
@@ -157,16 +167,32 @@ class Planning {
       });
       choice = choose(plan.scores, input_.profile.workspace, input_.current, choiceRules);
     }
+    return choice;
+  }
+
+  // A view that shows little is worth taking only while much is left for such views to show.
+  void decide(Plan& plan, const Mesh& seen, const PatchHistory& history, const SightTest& sight,
+              const Progress& progress) const {
+    ChoiceOptions choiceRules = rules();
+    Choice choice = chooseTraced(plan, seen, history, sight, choiceRules, progress.part(0.0, 0.7));
+    const double enough = thresholdFor(options_.thresholdEdges);
+    const bool little = choice.outcome != PlanOutcome::Found ||
+                        promise(plan.scores[static_cast<std::size_t>(choice.position)]) <= enough;
+    plan.outlook = certify(plan.voids->patches, history,
+                           little ? std::span<const Pose>(input_.profile.workspace.poses) : std::span<const Pose>(),
+                           sight, lookAheadAngle(), progress.part(0.7, 1.0));
+    plan.voidLeft = promiseLeft(plan.outlook);
+    if (choice.outcome == PlanOutcome::Found && little &&
+        plan.voidLeft <= options_.leftShare * area(input_.model.mesh)) {
+      choiceRules.terminationThreshold = enough;
+      choice = choose(plan.scores, input_.profile.workspace, input_.current, choiceRules);
+    }
     plan.outcome = choice.outcome;
     plan.position = choice.position;
     plan.leastOverlap = choice.leastOverlap;
     plan.relaxations = choice.relaxations;
     plan.terminationThreshold = choiceRules.terminationThreshold;
     plan.angularError = input_.images.grid().shape().angularError;
-    plan.outlook =
-        certify(plan.voids->patches, history,
-                choice.outcome == PlanOutcome::Found ? std::span<const Pose>() : input_.profile.workspace.poses, sight,
-                progress);
   }
 
   // The positions not yet traced that could beat the choice, best first, a batch at a time. The first batch is filled
@@ -192,8 +218,7 @@ class Planning {
   void trace(PositionScore& score, const std::vector<VoidPatch>& patches, std::span<const SurfaceElement> elements,
              const PatchHistory& history, const SightTest& sight) const {
     const Pose& pose = input_.profile.workspace.poses[static_cast<std::size_t>(score.position)];
-    traceVoid(score, pose, patches, history, sight,
-              options_.lookAhead ? std::optional(input_.profile.breakdownAngle) : std::nullopt);
+    traceVoid(score, pose, patches, history, sight, lookAheadAngle());
     const Overlap overlap = traceOverlap(pose, elements, sight);
     std::vector<double> pairs;
     pairs.reserve(overlap.areas.size());

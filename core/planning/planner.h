@@ -25,10 +25,13 @@ struct PlannerOptions {
   /// The overlap must fix the pose to within this share of the sample spacing.
   double poseSigmaShare = 0.2;
   /// F [mm^2]; unset: what so many boundary edges of one sample spacing show that are seen head-on, but no less than a
-  /// share of the model's area.
+  /// share of the model's area. While more is left to see than `leftShare` of the model's area, views that show less,
+  /// down to what `leastThresholdEdges` show (and the same part of the share), are worth taking, too.
   std::optional<double> terminationThreshold;
   double thresholdEdges = 18.0;
+  double leastThresholdEdges = 9.0;
   double thresholdShare = 0.0006;
+  double leftShare = 0.004;
   /// Void patches look ahead to the surface behind them. Off: the objective of the paper.
   bool lookAhead = true;
   /// So far ahead a void patch stands for unseen surface [sample spacings].

@@ -2,29 +2,18 @@
 
 #include <gtest/gtest.h>
 
+#include "core/planning/flat_scanner.h"
 #include "support/meshes.h"
 
 namespace vantage {
 namespace {
-
-// A head at x = 300 looking along -x over a 200 mm square, receiver 60 mm to its right (toward +y).
-ScannerProfile makeProfile() {
-  ProfileSource source{"profile.json",
-                       R"({
-    "name": "test",
-    "scanner": { "type": "linear_stripe", "position": [300, 0, 100], "stripe_height_mm": 200, "samples_per_stripe": 101,
-      "stripes": 101, "travel_mm": 200, "receivers": [[60, 0, 0]], "breakdown_angle_deg": 60, "range_mm": [100, 400] },
-    "workspace": { "type": "turntable", "steps": 4 } })",
-                       {}};
-  return parseProfile(source);
-}
 
 Mesh wall(const Vec3& min, const Vec3& max) {
   return testing::makeBox(min, max);
 }
 
 Visibility look(const Mesh& obstacles, const Vec3& point, const Vec3& normal) {
-  const ScannerProfile profile = makeProfile();
+  const ScannerProfile profile = testing::flatScanner();
   const RayCaster caster(obstacles);
   return SightTest(profile, caster, {}).look(Pose::Identity(), point, normal.normalized()).visibility;
 }
@@ -56,7 +45,7 @@ TEST(SightTest, TellsABlockedLightFromABlockedReceiver) {
 }
 
 TEST(SightTest, TurnsWithThePose) {
-  const ScannerProfile profile = makeProfile();
+  const ScannerProfile profile = testing::flatScanner();
   const RayCaster caster(kNothing);
   const SightTest sight(profile, caster, {});
   const Sight s = sight.look(profile.workspace.poses[1], {0, 20, 100}, Vec3::UnitY());
