@@ -48,6 +48,7 @@ nlohmann::ordered_json planJson(const Plan& plan, const PlanArguments& args) {
                               {"least_overlap_mm2", plan.leastOverlap},
                               {"relaxations", plan.relaxations},
                               {"termination_threshold_mm2", plan.terminationThreshold},
+                              {"void_left_mm2", plan.voidLeft},
                               {"angular_error_deg", degrees(plan.angularError)},
                               {"void_patches", voidJson(plan)}};
   if (args.why) {
@@ -64,6 +65,8 @@ std::string planText(const Plan& plan, const PlanArguments& args) {
                          ? "next best view: position " + std::to_string(plan.position) + "\n"
                          : std::string(outcomeName(plan.outcome)) + "\n";
   text += "t = " + number(plan.leastOverlap, 1) + " mm2, F = " + number(plan.terminationThreshold, 1) + " mm2\n";
+  if (plan.voidLeft > 0.0)
+    text += "views that are still possible would show " + number(plan.voidLeft, 1) + " mm2 in all\n";
   if (args.why)
     for (const PositionScore& s : plan.scores) text += scoreText(s);
   if (args.position) text += scoreText(plan.scores[static_cast<std::size_t>(*args.position)]);
