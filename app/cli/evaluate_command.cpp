@@ -1,4 +1,6 @@
 #include <memory>
+#include <optional>
+#include <string>
 
 #include "acquisition/evaluation.h"
 #include "acquisition/report.h"
@@ -17,24 +19,29 @@ struct EvaluateArguments {
   std::string model;
   std::string object;
   std::string scanner;
-  std::string placement = "as-is";
+  std::optional<std::string> placement;  // unset: as the session says, as-is for a mesh
 };
 
-Mesh loadModel(const std::string& path, const Progress& progress) {
-  if (detectFileKind(path) != FileKind::Session) return loadMesh(path, {}, progress).mesh;
+struct AcquiredModel {
+  Mesh mesh;
+  std::string placement = "as-is";  // of the object it was scanned from
+};
+
+AcquiredModel loadModel(const std::string& path, const Progress& progress) {
+  if (detectFileKind(path) != FileKind::Session) return {loadMesh(path, {}, progress).mesh};
   const Session session = SessionFile::open(path).load(progress);
   if (!session.state.model) throw InvalidInput(path + ": has no model yet, expected at least one view");
-  return session.state.model->mesh;
+  return {session.state.model->mesh, session.settings.placement};
 }
 
 void run(const EvaluateArguments& args, CommandContext& context) {
   const ScannerProfile profile = loadProfile(args.scanner);
-  const Mesh model = loadModel(args.model, context.progress().part(0.0, 0.1, "read model"));
+  const AcquiredModel model = loadModel(args.model, context.progress().part(0.0, 0.1, "read model"));
   Mesh object = loadMesh(args.object, {}, context.progress().part(0.1, 0.2, "read object")).mesh;
-  const Placement placement = args.placement == "fit" ? Placement::Fit : Placement::AsIs;
+  const Placement placement = args.placement.value_or(model.placement) == "fit" ? Placement::Fit : Placement::AsIs;
   object = placed(object, computePlacement(object, placement, profile.viewingVolume));
-  const Evaluation e = evaluate(model, object, profile, {}, context.progress().part(0.2, 1.0));
-  const auto counts = modelJson(model);
+  const Evaluation e = evaluate(model.mesh, object, profile, {}, context.progress().part(0.2, 1.0));
+  const auto counts = modelJson(model.mesh);
   context.result({{"scannable_share", e.scannableShare},
                   {"coverage_of_scannable", e.coverage},
                   {"rms_mm", e.rms},
@@ -57,9 +64,8 @@ void addEvaluateCommand(CLI::App& app, CommandContext& context) {
   command->add_option("model", args->model, "Session or mesh file")->required();
   command->add_option("--object", args->object, "Mesh of the object")->required();
   command->add_option("--scanner", args->scanner, "Scanner profile (JSON)")->required();
-  command->add_option("--place", args->placement, "How the object was placed")
-      ->check(CLI::IsMember({"as-is", "fit"}))
-      ->capture_default_str();
+  command->add_option("--place", args->placement, "How the object was placed; unset: as the session says")
+      ->check(CLI::IsMember({"as-is", "fit"}));
   context.addCommonOptions(*command);
   command->callback([args, &context] { run(*args, context); });
 }
