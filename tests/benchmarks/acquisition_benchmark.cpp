@@ -1,0 +1,74 @@
+// The phases of a whole acquisition of the sample mug in the shape of Table 2 (Pito 1999), and the most memory it held.
+// Arguments: another object and another scanner profile.
+
+#include <array>
+#include <cstdio>
+#include <exception>
+#include <map>
+#include <string>
+
+#include "acquisition/automatic_run.h"
+#include "acquisition/report.h"
+#include "io/mesh_reader.h"
+#include "scanner/simulated_scanner.h"
+
+namespace vantage {
+namespace {
+
+constexpr std::array kPhases = {"scan",         "register",     "integrate", "void_patches",
+                                "project_void", "project_seen", "choose"};
+
+void printRow(const std::string& label, const PhaseTimes& seconds) {
+  std::printf("%-12s", label.c_str());
+  double sum = 0.0;
+  for (const char* phase : kPhases) {
+    const auto it = seconds.find(phase);
+    const double time = it == seconds.end() ? 0.0 : it->second;
+    sum += time;
+    std::printf(" %12.3f", time);
+  }
+  std::printf(" %9.3f\n", sum);
+}
+
+void printTable(const AcquisitionState& state) {
+  std::printf("%-12s", "seconds");
+  for (const char* phase : kPhases) std::printf(" %12s", phase);
+  std::printf(" %9s\n", "sum");
+  PhaseTimes total;
+  for (std::size_t v = 0; v < state.records.size(); ++v) {
+    const ViewRecord& record = state.records[v];
+    for (const auto& [phase, time] : record.seconds) total[phase] += time;
+    printRow("view " + std::to_string(v) + " at " + std::to_string(record.position), record.seconds);
+  }
+  printRow("all", total);
+}
+
+void run(const std::string& object, const std::string& scanner) {
+  const auto profile = std::make_shared<const ScannerProfile>(loadProfile(scanner));
+  const ScannerImages images = computeScannerImages(*profile);
+  AcquisitionSettings settings;
+  SimulatedScanner device(loadMesh(object, {}, {}).mesh, profile, {settings.seed, settings.ideal});
+  AcquisitionState start;
+  start.profile = profile;
+  const AcquisitionState state = acquire(start, device, images, settings, {}, Progress().withThreads(2));
+  std::size_t scanned = 0;
+  for (const ViewRecord& record : state.records) scanned += record.triangles;
+  std::printf("%zu views of %zu triangles in all, a model of %zu triangles, %s; peak memory %.0f MB\n",
+              state.views.size(), scanned, state.model->mesh.triangles.size(), name(state.termination).data(),
+              peakMemory());
+  printTable(state);
+}
+
+}  // namespace
+}  // namespace vantage
+
+int main(int argc, char** argv) {
+  try {
+    vantage::run(argc > 1 ? argv[1] : VANTAGE_RESOURCES "/objects/mug.ply",
+                 argc > 2 ? argv[2] : VANTAGE_RESOURCES "/scanners/rotating_stripe.json");
+  } catch (const std::exception& e) {
+    std::fprintf(stderr, "%s\n", e.what());
+    return 1;
+  }
+  return 0;
+}
