@@ -4,9 +4,9 @@
 
 #include "acquisition/evaluation.h"
 #include "acquisition/report.h"
-#include "acquisition/session_file.h"
 #include "base/errors.h"
 #include "cli/command.h"
+#include "cli/open_session.h"
 #include "cli/text.h"
 #include "io/file_kind.h"
 #include "io/mesh_reader.h"
@@ -27,16 +27,17 @@ struct AcquiredModel {
   std::string placement = "as-is";  // of the object it was scanned from
 };
 
-AcquiredModel loadModel(const std::string& path, const Progress& progress) {
-  if (detectFileKind(path) != FileKind::Session) return {loadMesh(path, {}, progress).mesh};
-  const Session session = SessionFile::open(path).load(progress);
-  if (!session.state.model) throw InvalidInput(path + ": has no model yet, expected at least one view");
-  return {session.state.model->mesh, session.settings.placement};
+AcquiredModel loadModel(const std::string& path, CommandContext& context) {
+  if (detectFileKind(path) != FileKind::Session)
+    return {loadMesh(path, {}, context.progress().part(0.0, 0.1, "read model")).mesh};
+  const auto state = readSession(path, context);
+  if (!state->model) throw InvalidInput(path + ": has no model yet, expected at least one view");
+  return {state->model->mesh, state->settings.placement};
 }
 
 void run(const EvaluateArguments& args, CommandContext& context) {
   const ScannerProfile profile = loadProfile(args.scanner);
-  const AcquiredModel model = loadModel(args.model, context.progress().part(0.0, 0.1, "read model"));
+  const AcquiredModel model = loadModel(args.model, context);
   Mesh object = loadMesh(args.object, {}, context.progress().part(0.1, 0.2, "read object")).mesh;
   const Placement placement = args.placement.value_or(model.placement) == "fit" ? Placement::Fit : Placement::AsIs;
   object = placed(object, computePlacement(object, placement, profile.viewingVolume));
