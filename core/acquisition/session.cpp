@@ -118,22 +118,38 @@ Session::Session(Session&& other) noexcept = default;
 Session& Session::operator=(Session&& other) noexcept = default;
 Session::~Session() = default;
 
-Session Session::create(const std::string& path, const SessionStart& start) {
-  SessionLock lock(path);
-  auto parts =
-      std::make_unique<Parts>(path, SessionAccess::Write, std::move(lock), Database(path, Database::Mode::Create));
-  parts->file = fileBehind(path);
-  SessionStore& store = parts->store;
+namespace {
+
+// Writes a new session under another name.
+void writeNew(const std::string& path, const SessionStart& start) {
+  Session::Parts parts(path, SessionAccess::Write, std::nullopt, Database(path, Database::Mode::Create));
+  SessionStore& store = parts.store;
   transact(store, [&] {
     createSessionTables(store.database());
     if (start.profile) store.setProfileSource(*start.profile);
     if (start.object != nullptr) store.setObject(*start.object);
   });
-  parts->states.setProfile(start.profile);
+  parts.states.setProfile(start.profile);
   AcquisitionState state;
-  state.profile = parts->states.profile();
+  state.profile = parts.states.profile();
   state.settings = start.settings;
-  parts->add(ChangeSettings{start.settings}, std::move(state));
+  parts.add(ChangeSettings{start.settings}, std::move(state));
+}
+
+}  // namespace
+
+// A session appears whole or not at all, and what was there before stays until then.
+Session Session::create(const std::string& path, const SessionStart& start) {
+  SessionLock lock(path);
+  const std::string unfinished = path + ".new";
+  writeNew(unfinished, start);
+  std::error_code error;
+  for (const char* suffix : {"-wal", "-shm"}) std::filesystem::remove(path + suffix, error);
+  std::filesystem::rename(unfinished, path, error);
+  if (error) throw IoError(path, "cannot be written: " + error.message());
+  auto parts = std::make_unique<Parts>(path, SessionAccess::Write, std::move(lock),
+                                       Database(path, Database::Mode::Write));
+  parts->restore();
   return Session(std::move(parts));
 }
 

@@ -82,8 +82,9 @@ class Session {
   /// Writes the whole session to another file, also when its own was removed. @throws IoError
   void copyTo(const std::string& path) const;
 
- private:
   struct Parts;
+
+ private:
   explicit Session(std::unique_ptr<Parts> parts);
   std::unique_ptr<Parts> parts_;
 };

@@ -9,6 +9,7 @@
 
 #include "acquisition/automatic_run.h"
 #include "acquisition/report.h"
+#include "acquisition/scan_source.h"
 #include "io/mesh_reader.h"
 #include "scanner/simulated_scanner.h"
 
@@ -50,7 +51,8 @@ void run(const std::string& object, const std::string& scanner) {
   SimulatedScanner device(loadMesh(object, {}, {}).mesh, profile, {settings.seed, settings.ideal});
   AcquisitionState start;
   start.profile = profile;
-  const AcquisitionState state = acquire(start, device, images, settings, {}, Progress().withThreads(2));
+  start.settings = settings;
+  const AcquisitionState state = acquire(start, countedScans(device), images, {}, Progress().withThreads(2));
   std::size_t scanned = 0;
   for (const ViewRecord& record : state.records) scanned += record.triangles;
   std::printf("%zu views of %zu triangles in all, a model of %zu triangles, %s; peak memory %.0f MB\n",

@@ -11,7 +11,7 @@ Plan planWithLittleToSee(double leftShare) {
   AcquisitionSettings settings;
   settings.maxViews = 2;
   const AcquisitionState state = testing::acquireSmallObject(settings, 2);
-  StepOptions options = stepOptionsFor(*state.profile, settings);
+  StepOptions options = stepOptionsFor(state);
   options.planner.thresholdEdges = 1e6;
   options.planner.leastThresholdEdges = 1.0;
   options.planner.thresholdShare = 0.0;
