@@ -49,4 +49,8 @@ std::string_view name(Termination termination) {
   return "";
 }
 
+std::shared_ptr<const Plan> currentPlan(const AcquisitionState& state) {
+  return state.records.empty() ? nullptr : state.records.back().plan;
+}
+
 }  // namespace vantage

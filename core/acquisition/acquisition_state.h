@@ -27,7 +27,7 @@ struct Strategy {
 [[nodiscard]] Strategy parseStrategy(std::string_view text);
 [[nodiscard]] std::string name(const Strategy& strategy);
 
-/// What a session was asked to do. Kept in the session file.
+/// What a session was asked to do.
 struct AcquisitionSettings {
   std::string object;  ///< file that the simulated scanner looks at; empty for recorded scans
   std::string placement = "as-is";
@@ -41,6 +41,7 @@ struct AcquisitionSettings {
 
 /// What one scan brought.
 struct ViewRecord {
+  std::int64_t scan = -1;  ///< number of the scan in its session: commands name a view by it
   int position = -1;
   std::size_t samples = 0;
   std::size_t triangles = 0;               ///< of the scan's own mesh
@@ -58,18 +59,31 @@ enum class Termination : std::uint8_t { Running, Finished, NoOverlap, MaxViews, 
 
 /// A scan whose registration failed: it is kept, but not integrated.
 struct RejectedScan {
+  std::int64_t scan = -1;
   std::shared_ptr<const RangeImage> image;
   RegistrationResult registration;
 };
 
-/// Everything known at one moment of an acquisition. Steps make a new state; old ones share what did not change.
+/// A view that the operator took out of the model, with the place that it had.
+struct LeftOutView {
+  View view;
+  ViewRecord record;
+};
+
+/// Everything known at one moment of an acquisition. Commands make a new state; old ones share what did not change.
 struct AcquisitionState {
-  std::shared_ptr<const ScannerProfile> profile;
+  std::shared_ptr<const ScannerProfile> profile;  ///< null for recorded scans without one
+  AcquisitionSettings settings;
   std::vector<View> views;
   std::vector<ViewRecord> records;     ///< one per view
   std::shared_ptr<const Model> model;  ///< null before the first view
   std::vector<RejectedScan> rejected;
+  std::vector<LeftOutView> leftOut;  ///< by number of the scan
+  int chosenPosition = -1;           ///< where the operator wants the next scan from; -1: as proposed
   Termination termination = Termination::Running;
 };
+
+/// The plan that holds now: that of the last view. Null before the first view and for baselines.
+[[nodiscard]] std::shared_ptr<const Plan> currentPlan(const AcquisitionState& state);
 
 }  // namespace vantage

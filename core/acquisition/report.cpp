@@ -135,8 +135,8 @@ double peakMemory() {
   return static_cast<double>(usage.ru_maxrss) / 1024.0;
 }
 
-nlohmann::ordered_json makeReport(const AcquisitionState& state, const AcquisitionSettings& settings,
-                                  const std::string& version) {
+nlohmann::ordered_json makeReport(const AcquisitionState& state, const std::string& version) {
+  const AcquisitionSettings& settings = state.settings;
   Json report{{"version", version},
               {"object", settings.object},
               {"placement", settings.placement},

@@ -9,8 +9,7 @@ namespace vantage {
 
 /// The report of an acquisition as the command line contract describes it: areas in mm^2, times in s. Only the members
 /// "seconds" and "peak_memory_mb" depend on the machine.
-[[nodiscard]] nlohmann::ordered_json makeReport(const AcquisitionState& state, const AcquisitionSettings& settings,
-                                                const std::string& version);
+[[nodiscard]] nlohmann::ordered_json makeReport(const AcquisitionState& state, const std::string& version);
 
 /// A registration result: verdict, figures, and the weak direction.
 [[nodiscard]] nlohmann::ordered_json registrationJson(const RegistrationResult& registration);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "acquisition/import_scans.h"
 #include "base/errors.h"
 #include "geometry/measures.h"
 #include "registration/pose_prior.h"
@@ -46,20 +47,30 @@ StepOptions stepOptionsFor(const ScannerProfile& profile, const AcquisitionSetti
   return options;
 }
 
+StepOptions stepOptionsFor(const AcquisitionState& state) {
+  if (state.profile) return stepOptionsFor(*state.profile, state.settings);
+  const ImportOptions recorded;
+  StepOptions options;
+  options.triangulation = recorded.triangulation;
+  options.zipper = recorded.zipper;
+  options.consensus = recorded.consensus;
+  return options;
+}
+
 Pose expectedPose(const AcquisitionState& state, const RangeImage& image) {
   if (state.views.empty()) return image.T_object_scanner;
   const View& last = state.views.back();
   return last.T_object_scanner * last.image->T_object_scanner.inverse() * image.T_object_scanner;
 }
 
-AcquisitionState addScan(const AcquisitionState& state, RangeImage image, std::optional<PositionScore> predicted,
-                         const StepOptions& options, const Progress& progress) {
+AcquisitionState addScan(const AcquisitionState& state, const NumberedScan& scan,
+                         std::optional<PositionScore> predicted, const StepOptions& options, const Progress& progress) {
   const Progress registering = progress.part(0.0, 0.5, "register");
   registering.checkpoint(0.0);
   View view;
-  view.mesh = std::make_shared<const ViewMesh>(triangulate(image, options.triangulation));
-  view.T_object_scanner = expectedPose(state, image);
-  view.image = std::make_shared<const RangeImage>(std::move(image));
+  view.image = scan.image;
+  view.mesh = std::make_shared<const ViewMesh>(triangulate(*view.image, options.triangulation));
+  view.T_object_scanner = expectedPose(state, *view.image);
 
   AcquisitionState next = state;
   if (view.mesh->mesh.empty() && state.views.empty())
@@ -67,7 +78,7 @@ AcquisitionState addScan(const AcquisitionState& state, RangeImage image, std::o
                        ", has no surface: is the object inside the viewing volume?");
   RegistrationResult registration = registerWithModel(state, view, options, registering.part(0.0, 0.7));
   if (registration.verdict == Verdict::Failed) {
-    next.rejected.push_back({view.image, std::move(registration)});
+    next.rejected.push_back({scan.number, view.image, std::move(registration)});
     return next;
   }
   view.T_object_scanner = registration.T_object_scanner;
@@ -82,6 +93,7 @@ AcquisitionState addScan(const AcquisitionState& state, RangeImage image, std::o
       applyConsensus(integration.model, next.views, options.consensus, integrating.part(0.6, 1.0)));
 
   ViewRecord record;
+  record.scan = scan.number;
   record.position = view.image->position;
   record.samples = view.image->sampleCount();
   record.triangles = view.mesh->mesh.triangles.size();
@@ -90,6 +102,48 @@ AcquisitionState addScan(const AcquisitionState& state, RangeImage image, std::o
   record.newArea = std::max(0.0, area(integration.model.mesh) - area(before.mesh));
   record.overlapArea = std::max(0.0, area(view.mesh->mesh) - record.newArea);
   next.records.push_back(std::move(record));
+  return next;
+}
+
+std::shared_ptr<const Model> integrateViews(const std::vector<View>& views, const StepOptions& options,
+                                            const Progress& progress) {
+  const Integration integration = zipper(views, options.zipper, progress.part(0.0, 0.7, "integrate"));
+  return std::make_shared<const Model>(
+      applyConsensus(integration.model, views, options.consensus, progress.part(0.7, 1.0, "integrate")));
+}
+
+AcquisitionState leaveOutView(const AcquisitionState& state, std::int64_t scan, const StepOptions& options,
+                              const Progress& progress) {
+  AcquisitionState next = state;
+  const auto record =
+      std::find_if(next.records.begin(), next.records.end(), [&](const auto& r) { return r.scan == scan; });
+  if (record == next.records.end())
+    throw InvalidInput("scan " + std::to_string(scan) + " cannot be left out: it is not a view of the model");
+  if (next.views.size() == 1)
+    throw InvalidInput("scan " + std::to_string(scan) + " cannot be left out: it is the only view of the model");
+  const auto view = next.views.begin() + (record - next.records.begin());
+  next.leftOut.push_back({*view, *record});
+  std::sort(next.leftOut.begin(), next.leftOut.end(),
+            [](const LeftOutView& a, const LeftOutView& b) { return a.record.scan < b.record.scan; });
+  next.views.erase(view);
+  next.records.erase(record);
+  next.model = integrateViews(next.views, options, progress);
+  return next;
+}
+
+AcquisitionState takeBackView(const AcquisitionState& state, std::int64_t scan, const StepOptions& options,
+                              const Progress& progress) {
+  AcquisitionState next = state;
+  const auto out = std::find_if(next.leftOut.begin(), next.leftOut.end(),
+                                [&](const LeftOutView& v) { return v.record.scan == scan; });
+  if (out == next.leftOut.end())
+    throw InvalidInput("scan " + std::to_string(scan) + " cannot be taken back: it was not left out");
+  const auto after =
+      std::find_if(next.records.begin(), next.records.end(), [&](const auto& r) { return r.scan > scan; });
+  next.views.insert(next.views.begin() + (after - next.records.begin()), out->view);
+  next.records.insert(after, out->record);
+  next.leftOut.erase(out);
+  next.model = integrateViews(next.views, options, progress);
   return next;
 }
 

@@ -1,0 +1,56 @@
+#include "acquisition/history.h"
+
+#include <utility>
+
+#include "base/errors.h"
+
+namespace vantage {
+
+History::History(Loader loader) : loader_(std::move(loader)) {}
+
+void History::add(HistoryEntry entry, std::shared_ptr<const AcquisitionState> state) {
+  Kept kept{std::move(entry), state, state};
+  if (!entries_.empty()) entries_.resize(cursor_ + 1);
+  entries_.push_back(std::move(kept));
+  if (loader_ && entries_.size() > 1) entries_[cursor_].held.reset();
+  cursor_ = entries_.size() - 1;
+}
+
+void History::restore(std::vector<HistoryEntry> entries, std::size_t cursor) {
+  if (cursor >= entries.size())
+    throw InvalidInput("history: the cursor is at " + std::to_string(cursor) + " of " + std::to_string(entries.size()) +
+                       " commands");
+  entries_.clear();
+  for (HistoryEntry& entry : entries) entries_.push_back({std::move(entry), nullptr, {}});
+  cursor_ = cursor;
+}
+
+// The new state is brought back before the old one goes: what they share stays in memory.
+void History::moveTo(std::size_t index) {
+  std::shared_ptr<const AcquisitionState> next = entries_[cursor_].held ? state(index) : nullptr;
+  if (loader_) entries_[cursor_].held.reset();
+  entries_[index].held = std::move(next);
+  cursor_ = index;
+}
+
+void History::undo() {
+  if (!canUndo()) throw InvalidInput("there is nothing to undo");
+  moveTo(cursor_ - 1);
+}
+
+void History::redo() {
+  if (!canRedo()) throw InvalidInput("there is nothing to redo");
+  moveTo(cursor_ + 1);
+}
+
+std::shared_ptr<const AcquisitionState> History::state(std::size_t index) const {
+  const Kept& kept = entries_[index];
+  if (std::shared_ptr<const AcquisitionState> state = kept.shown.lock()) return state;
+  if (!loader_) throw InvalidInput("history: the state of step " + std::to_string(kept.entry.step) + " is not kept");
+  std::shared_ptr<const AcquisitionState> state = loader_(kept.entry);
+  kept.shown = state;
+  if (index == cursor_) kept.held = state;
+  return state;
+}
+
+}  // namespace vantage

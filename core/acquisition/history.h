@@ -1,0 +1,87 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "acquisition/command.h"
+
+namespace vantage {
+
+/// A view, a rejected scan or one left out, without its large parts.
+struct OutlinedView {
+  std::int64_t scan = -1;
+  Pose T_object_scanner = Pose::Identity();
+  std::shared_ptr<const ViewRecord> record;  ///< without its plan
+  std::int64_t recordStep = 0;               ///< the step that made the record
+  std::int64_t planStep = 0;                 ///< the step that made its plan; 0 without one
+};
+
+/// A state without its large parts: what a time line, a list of views or a report of counts needs.
+struct StateOutline {
+  AcquisitionSettings settings;
+  std::vector<OutlinedView> views;
+  std::vector<OutlinedView> rejected;
+  std::vector<OutlinedView> leftOut;
+  int chosenPosition = -1;
+  Termination termination = Termination::Running;
+  std::int64_t modelStep = 0;  ///< the step that made the model; 0 without one
+};
+
+/// One command that was carried out, and what it led to.
+struct HistoryEntry {
+  std::int64_t step = 0;  ///< number in its session, never given twice
+  Command command;
+  std::shared_ptr<const StateOutline> outline;  ///< after it
+  std::uint64_t hash = 0;                       ///< stateHash after it
+};
+
+/// The commands of a session in order, with a cursor that undo and redo move. The first entry is the set-up, which
+/// cannot be undone. A command after undo cuts off what could have been redone.
+///
+/// States are immutable snapshots that share what did not change. Without a loader all of them stay in memory; with one
+/// only that at the cursor does, and older ones as long as somebody holds them.
+class History {
+ public:
+  /// Brings back the state of a step that is no longer in memory.
+  using Loader = std::function<std::shared_ptr<const AcquisitionState>(const HistoryEntry&)>;
+
+  explicit History(Loader loader = {});
+
+  /// Appends a command behind the cursor and moves the cursor to it.
+  void add(HistoryEntry entry, std::shared_ptr<const AcquisitionState> state);
+
+  /// Takes over commands that were read from a file. @throws InvalidInput when the cursor is not one of them.
+  void restore(std::vector<HistoryEntry> entries, std::size_t cursor);
+
+  [[nodiscard]] std::size_t size() const { return entries_.size(); }
+  [[nodiscard]] const HistoryEntry& entry(std::size_t index) const { return entries_[index].entry; }
+  /// Index of the entry that holds now. @pre size() > 0
+  [[nodiscard]] std::size_t cursor() const { return cursor_; }
+  [[nodiscard]] const HistoryEntry& current() const { return entries_[cursor_].entry; }
+
+  [[nodiscard]] bool canUndo() const { return cursor_ > 0; }
+  [[nodiscard]] bool canRedo() const { return cursor_ + 1 < entries_.size(); }
+  /// @throws InvalidInput when there is nothing to undo, or to redo.
+  void undo();
+  void redo();
+
+  /// The state after an entry, brought back when it is not in memory. @throws what the loader throws
+  [[nodiscard]] std::shared_ptr<const AcquisitionState> state(std::size_t index) const;
+
+ private:
+  struct Kept {
+    HistoryEntry entry;
+    mutable std::shared_ptr<const AcquisitionState> held;  // of all entries without a loader, else of the cursor's
+    mutable std::weak_ptr<const AcquisitionState> shown;
+  };
+  void moveTo(std::size_t index);
+
+  Loader loader_;
+  std::vector<Kept> entries_;
+  std::size_t cursor_ = 0;
+};
+
+}  // namespace vantage

@@ -1,0 +1,22 @@
+#include "acquisition/scan_source.h"
+
+#include <memory>
+
+namespace vantage {
+
+ScanSource countedScans(ScannerDevice& scanner) {
+  return [&scanner, number = std::int64_t{0}](int position, const Progress& progress) mutable {
+    return NumberedScan{number++, std::make_shared<const RangeImage>(scanner.scan(position, progress))};
+  };
+}
+
+ScanSource keptScans(ScannerDevice& scanner, Session& session) {
+  return [&scanner, &session](int position, const Progress& progress) {
+    const auto unused = session.unusedScan();
+    if (unused && unused->image->position == position) return *unused;
+    const std::int64_t number = session.keepScan(scanner.scan(position, progress));
+    return NumberedScan{number, session.scan(number)};
+  };
+}
+
+}  // namespace vantage

@@ -1,0 +1,91 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "acquisition/history.h"
+#include "acquisition/steps.h"
+#include "base/progress.h"
+
+namespace vantage {
+
+/// What a session begins with.
+struct SessionStart {
+  std::optional<ProfileSource> profile;  ///< none for recorded scans without a scanner
+  AcquisitionSettings settings;
+  const Mesh* object = nullptr;  ///< what a simulated scanner looks at, placed
+};
+
+enum class SessionAccess { Read, Write };
+
+/// A session file that is open: the history of its commands, and the states, scans, models and plans of it, read when
+/// they are asked for. Every change is one transaction that is on the disk when the call returns.
+///
+/// One program at a time may write; it holds a lock file beside the session. Any number may read, also while a run
+/// writes: they see the session as it was when they opened it. A damaged session is opened as far as it is readable;
+/// for writing it is first copied beside itself. What large pieces nobody holds are not in memory.
+///
+/// The history changes only by record, undo and redo, which one thread calls; everything else may be called from any.
+class Session {
+ public:
+  /// Makes a new session; one of that name is replaced. @throws IoError, also when another program writes to it
+  [[nodiscard]] static Session create(const std::string& path, const SessionStart& start);
+
+  /// Opens a session where it was left. One of an earlier version is brought up to date.
+  /// @throws IoError when it is missing, no database, or held by another program, which the message names; InvalidInput
+  /// when it is not a session or nothing of it is readable; Cancelled
+  [[nodiscard]] static Session open(const std::string& path, SessionAccess access, const Progress& progress = {});
+
+  Session(Session&& other) noexcept;
+  Session& operator=(Session&& other) noexcept;
+  ~Session();
+
+  [[nodiscard]] const std::string& path() const;
+  /// One sentence for everything that was damaged, and for the copy that was made of it.
+  [[nodiscard]] std::vector<std::string> losses() const;
+
+  [[nodiscard]] const History& history() const;
+  /// The state at the cursor, and that after any entry of the history.
+  [[nodiscard]] std::shared_ptr<const AcquisitionState> state() const;
+  [[nodiscard]] std::shared_ptr<const AcquisitionState> state(std::size_t index) const;
+
+  /// Single pieces, for who shows them: the model and the plan that an entry led to (null without), a scan.
+  [[nodiscard]] std::shared_ptr<const Model> model(std::size_t index) const;
+  [[nodiscard]] std::shared_ptr<const Plan> plan(std::size_t index) const;
+  [[nodiscard]] std::int64_t scanCount() const;
+  /// @throws InvalidInput when there is no such scan or it is damaged.
+  [[nodiscard]] std::shared_ptr<const RangeImage> scan(std::int64_t number) const;
+
+  [[nodiscard]] std::shared_ptr<const ScannerProfile> profile() const;
+  /// What the simulated scanner looks at: as it was kept, else read again from its file.
+  /// @throws IoError when the file is gone, InvalidInput when it has changed or the session never had one.
+  [[nodiscard]] Mesh object(const Progress& progress = {}) const;
+
+  /// Keeps a scan for ever, before anything is made of it. @return its number. @throws IoError
+  std::int64_t keepScan(const RangeImage& image);
+  /// The last scan, when no command has used it: a run was interrupted before it could be added.
+  [[nodiscard]] std::optional<NumberedScan> unusedScan() const;
+
+  /// Appends a command with the state that it led to.
+  /// @throws IoError when it cannot be written (disk full, file removed): the session is as it was before.
+  void record(const Command& command, AcquisitionState state);
+  void undo();
+  void redo();
+
+  /// Remarks of a program, for instance the page that a wizard was on; empty when there is none.
+  [[nodiscard]] std::string note(const std::string& key) const;
+  void setNote(const std::string& key, const std::string& text);
+
+  /// Writes the whole session to another file, also when its own was removed. @throws IoError
+  void copyTo(const std::string& path) const;
+
+ private:
+  struct Parts;
+  explicit Session(std::unique_ptr<Parts> parts);
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace vantage
