@@ -124,7 +124,8 @@ std::string_view sentence(EdgeReason reason) {
   return "";
 }
 
-std::string summaryHtml(const AcquisitionState& state, const AcquisitionSettings& settings) {
+std::string summaryHtml(const AcquisitionState& state) {
+  const AcquisitionSettings& settings = state.settings;
   const auto model = modelJson(state.model ? state.model->mesh : Mesh{});
   std::string html = "<p>" + std::string(sentence(state.termination)) + "</p>\n<table>";
   html += row({"Object", escapedHtml(settings.object.empty() ? "recorded scans" : settings.object)});
@@ -227,8 +228,7 @@ std::string remainingHtml(const AcquisitionState& state) {
 
 }  // namespace
 
-std::string makeHtmlReport(const AcquisitionState& state, const AcquisitionSettings& settings,
-                           const HtmlReportOptions& options) {
+std::string makeHtmlReport(const AcquisitionState& state, const HtmlReportOptions& options) {
   if (!options.viewPictures.empty() && options.viewPictures.size() != state.views.size())
     throw InvalidInput("the report was given " + std::to_string(options.viewPictures.size()) +
                        " pictures of views, expected " + std::to_string(state.views.size()));
@@ -236,10 +236,10 @@ std::string makeHtmlReport(const AcquisitionState& state, const AcquisitionSetti
       "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" "
       "content=\"width=device-width\"><title>Vantage report</title>\n";
   html.append(kStyle).append("</head><body>\n<h1>Acquisition report</h1>\n");
-  html += summaryHtml(state, settings) + picturesHtml(options.pictures) + coverageHtml(state) + viewsHtml(state);
+  html += summaryHtml(state) + picturesHtml(options.pictures) + coverageHtml(state) + viewsHtml(state);
   html += picturesHtml(options.viewPictures) + objectiveHtml(state) + timesHtml(state) + remainingHtml(state);
   return html + "<p class=\"faint\">Vantage " + escapedHtml(options.version) + ", seed " +
-         std::to_string(settings.seed) + "</p>\n</body></html>\n";
+         std::to_string(state.settings.seed) + "</p>\n</body></html>\n";
 }
 
 }  // namespace vantage

@@ -24,7 +24,6 @@ struct HtmlReportOptions {
 /// the time of each phase (Pito 1999, Table 2), and the boundary that is left with the reasons. Areas in mm^2, times in
 /// s. The same input gives the same bytes.
 /// @throws InvalidInput when there are pictures of views, but not one per view.
-[[nodiscard]] std::string makeHtmlReport(const AcquisitionState& state, const AcquisitionSettings& settings,
-                                         const HtmlReportOptions& options);
+[[nodiscard]] std::string makeHtmlReport(const AcquisitionState& state, const HtmlReportOptions& options);
 
 }  // namespace vantage

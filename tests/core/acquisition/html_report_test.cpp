@@ -50,31 +50,26 @@ AcquisitionState twoViews() {
     state.views.emplace_back();
   }
   state.records.back().plan = plan;
+  state.settings.object = "a<b>&.ply";
   state.termination = Termination::Finished;
   return state;
 }
 
-AcquisitionSettings settings() {
-  AcquisitionSettings settings;
-  settings.object = "a<b>&.ply";
-  return settings;
-}
-
 TEST(HtmlReport, SumsTheTimesOfEachPhase) {
-  const std::string html = makeHtmlReport(twoViews(), settings(), {});
+  const std::string html = makeHtmlReport(twoViews(), {});
   EXPECT_TRUE(contains(html, "<th>All</th><th>0.50</th>"));
   EXPECT_TRUE(contains(html, "<th>3.00</th></tr>"));
 }
 
 TEST(HtmlReport, SumsTheLengthThatIsLeftByReason) {
-  const std::string html = makeHtmlReport(twoViews(), settings(), {});
+  const std::string html = makeHtmlReport(twoViews(), {});
   EXPECT_TRUE(contains(html, "reaches it.</td><td>2</td><td>5</td>"));
   EXPECT_TRUE(contains(html, "every receiver.</td><td>1</td><td>2</td>"));
   EXPECT_FALSE(contains(html, "breakdown angle."));
 }
 
 TEST(HtmlReport, DrawsOnePointPerViewAndOneBarPerPosition) {
-  const std::string html = makeHtmlReport(twoViews(), settings(), {});
+  const std::string html = makeHtmlReport(twoViews(), {});
   EXPECT_EQ(occurrences(html, "<circle"), 2U);
   EXPECT_EQ(occurrences(html, "<rect"), 4U);
   EXPECT_EQ(occurrences(html, "<rect class=\"marked\""), 1U);
@@ -83,7 +78,7 @@ TEST(HtmlReport, DrawsOnePointPerViewAndOneBarPerPosition) {
 TEST(HtmlReport, NeedsNoOtherFileAndEscapesNames) {
   HtmlReportOptions options;
   options.pictures.push_back({"The \"model\"", "Man"});
-  const std::string html = makeHtmlReport(twoViews(), settings(), options);
+  const std::string html = makeHtmlReport(twoViews(), options);
   EXPECT_TRUE(contains(html, "a&lt;b&gt;&amp;.ply"));
   EXPECT_TRUE(contains(html, "alt=\"The &quot;model&quot;\" src=\"data:image/png;base64,TWFu\""));
   EXPECT_FALSE(contains(html, "http"));
@@ -94,12 +89,12 @@ TEST(HtmlReport, EncodesPicturesOfAnyLength) {
   for (const auto& [bytes, text] : {std::pair{"M", "TQ=="}, std::pair{"Ma", "TWE="}, std::pair{"Many", "TWFueQ=="}}) {
     HtmlReportOptions options;
     options.pictures.push_back({"", bytes});
-    EXPECT_TRUE(contains(makeHtmlReport({}, {}, options), std::string("base64,") + text + "\"")) << bytes;
+    EXPECT_TRUE(contains(makeHtmlReport({}, options), std::string("base64,") + text + "\"")) << bytes;
   }
 }
 
 TEST(HtmlReport, DescribesASessionWithoutViews) {
-  const std::string html = makeHtmlReport({}, {}, {});
+  const std::string html = makeHtmlReport({}, {});
   EXPECT_TRUE(contains(html, "The acquisition goes on."));
   EXPECT_TRUE(contains(html, "recorded scans"));
   EXPECT_TRUE(contains(html, "</html>"));
@@ -108,7 +103,7 @@ TEST(HtmlReport, DescribesASessionWithoutViews) {
 TEST(HtmlReport, RefusesPicturesThatAreNotOnePerView) {
   HtmlReportOptions options;
   options.viewPictures.resize(1);
-  EXPECT_THROW(static_cast<void>(makeHtmlReport(twoViews(), settings(), options)), InvalidInput);
+  EXPECT_THROW(static_cast<void>(makeHtmlReport(twoViews(), options)), InvalidInput);
 }
 
 TEST(SvgChart, EndsItsAxisAtARoundNumberAboveTheLargestValue) {
