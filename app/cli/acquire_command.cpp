@@ -1,21 +1,13 @@
 #include <filesystem>
 #include <memory>
-#include <optional>
 
-#include "acquisition/automatic_run.h"
-#include "acquisition/report.h"
-#include "acquisition/session_file.h"
+#include "acquisition/session.h"
 #include "base/errors.h"
-#include "cli/cache_directory.h"
 #include "cli/command.h"
+#include "cli/session_run.h"
 #include "cli/text.h"
-#include "io/atomic_file.h"
 #include "io/mesh_reader.h"
-#include "io/mesh_writer.h"
 #include "io/placement.h"
-#include "planning/choice.h"
-#include "positional_space/scanner_images_cache.h"
-#include "scanner/simulated_scanner.h"
 
 namespace vantage {
 namespace {
@@ -26,12 +18,6 @@ struct AcquireArguments {
   std::string strategy = "ps";
   AcquisitionSettings settings;
 };
-
-void makeFolder(const std::string& path) {
-  std::error_code error;
-  std::filesystem::create_directories(path, error);
-  if (error || !std::filesystem::is_directory(path)) throw IoError(path, "cannot be made a folder: " + error.message());
-}
 
 // The object as the scanner will see it.
 Mesh placeObject(const AcquireArguments& args, const ScannerProfile& profile, CommandContext& context) {
@@ -52,93 +38,18 @@ Mesh placeObject(const AcquireArguments& args, const ScannerProfile& profile, Co
   return object;
 }
 
-std::string viewLine(const AcquisitionState& state) {
-  const ViewRecord& record = state.records.back();
-  std::string line = "view " + std::to_string(state.views.size()) + " at position " + std::to_string(record.position) +
-                     ": " + std::to_string(record.samples) + " samples, +" + number(record.newArea, 0) +
-                     " mm2, registration " + std::string(name(record.registration.verdict));
-  if (state.views.size() > 1) line += " (" + number(record.registration.rms, 3) + " mm)";
-  if (record.plan && record.plan->outcome == PlanOutcome::Found)
-    line += ", next " + std::to_string(record.plan->position) + " for " +
-            number(promise(record.plan->scores[static_cast<std::size_t>(record.plan->position)]), 0) + " mm2 of void";
-  return line;
+void run(const AcquireArguments& args, CommandContext& context) {
+  const ProfileSource source = readProfileSource(args.scanner);
+  const ScannerProfile profile = parseProfile(source);
+  if (args.settings.firstView >= static_cast<int>(profile.workspace.size()))
+    throw InvalidInput("--first-view is " + std::to_string(args.settings.firstView) +
+                       ", the workspace has positions 0 to " + std::to_string(profile.workspace.size() - 1));
+  const Mesh object = placeObject(args, profile, context);
+  makeFolder(args.out);
+  const std::string file = (std::filesystem::path(args.out) / "session.vantage").string();
+  Session session = Session::create(file, {source, args.settings, &object});
+  SessionRun(session, args.out, context).run(object);
 }
-
-class AcquireCommand {
- public:
-  AcquireCommand(const AcquireArguments& args, CommandContext& context) : args_(args), context_(context) {}
-
-  void run() {
-    const ProfileSource source = readProfileSource(args_.scanner);
-    const auto profile = std::make_shared<const ScannerProfile>(parseProfile(source));
-    if (args_.settings.firstView >= static_cast<int>(profile->workspace.size()))
-      throw InvalidInput("--first-view is " + std::to_string(args_.settings.firstView) +
-                         ", the workspace has positions 0 to " + std::to_string(profile->workspace.size() - 1));
-    const Mesh object = placeObject(args_, *profile, context_);
-    makeFolder(args_.out);
-    SessionFile session = SessionFile::create(file("session.vantage"), source, args_.settings);
-    const ScannerImages images = loadScannerImages(
-        *profile, cacheDirectory(), context_.progress().part(0.0, 1.0, "positional space of the scanner"));
-    SimulatedScanner scanner(object, profile, {args_.settings.seed, args_.settings.ideal});
-    last_.profile = profile;
-    try {
-      last_ = acquire(
-          last_, scanner, images, args_.settings, [&](const AcquisitionState& state) { record(session, state); },
-          context_.progress());
-    } catch (const InvalidInput& e) {
-      throw InvalidInput(args_.settings.object + ": " + e.what());
-    } catch (const Cancelled&) {
-      last_.termination = Termination::Cancelled;
-      session.save(last_);
-      writeResults();
-      throw;
-    }
-    writeResults();
-    announce();
-  }
-
- private:
-  [[nodiscard]] std::string file(const char* name) const { return (std::filesystem::path(args_.out) / name).string(); }
-
-  void record(SessionFile& session, const AcquisitionState& state) {
-    session.save(state);
-    const bool rejected = state.rejected.size() > last_.rejected.size();
-    last_ = state;
-    if (rejected) {
-      context_.note("scan at position " + std::to_string(state.rejected.back().image->position) +
-                    " was not integrated: registration failed: " + state.rejected.back().registration.reason);
-    } else {
-      context_.note(viewLine(state));
-    }
-  }
-
-  void writeResults() {
-    report_ = makeReport(last_, args_.settings, VANTAGE_VERSION);
-    writeTextFile(file("report.json"), report_.dump(1) + "\n");
-    if (!last_.model) return;
-    exportModel(*last_.model, file("model.ply"));
-    exportModel(*last_.model, file("model.stl"));
-  }
-
-  void announce() {
-    const auto& model = report_["model"];
-    std::string text =
-        std::to_string(last_.views.size()) + " views, ended: " + std::string(name(last_.termination)) + "\n";
-    text += "model: " + model["triangles"].dump() + " triangles, " + model["boundary_edges"].dump() +
-            " boundary edges, " + number(model["area_mm2"].get<double>(), 0) + " mm2\n";
-    for (const auto& r : report_["remaining"])
-      text += "left: " + r["edges"].dump() + " edges (" + number(r["length_mm"].get<double>(), 0) + " mm) " +
-              r["reason"].get<std::string>() + "\n";
-    text += "written: " + file("model.ply") + ", " + file("model.stl") + ", " + file("report.json") + ", " +
-            file("session.vantage") + "\n";
-    context_.result(report_, text);
-  }
-
-  const AcquireArguments& args_;
-  CommandContext& context_;
-  AcquisitionState last_;
-  nlohmann::ordered_json report_;
-};
 
 }  // namespace
 
@@ -175,7 +86,7 @@ void addAcquireCommand(CLI::App& app, CommandContext& context) {
   context.addCommonOptions(*command);
   command->callback([args, &context] {
     args->settings.strategy = parseStrategy(args->strategy);
-    AcquireCommand(*args, context).run();
+    run(*args, context);
   });
 }
 

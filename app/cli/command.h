@@ -37,6 +37,8 @@ class CommandContext {
 
 /// Each adds its subcommand; the work runs in the callback and throws what goes wrong.
 void addAcquireCommand(CLI::App& app, CommandContext& context);
+void addResumeCommand(CLI::App& app, CommandContext& context);
+void addStepCommand(CLI::App& app, CommandContext& context);
 void addImportCommand(CLI::App& app, CommandContext& context);
 void addPlanCommand(CLI::App& app, CommandContext& context);
 void addExportCommand(CLI::App& app, CommandContext& context);

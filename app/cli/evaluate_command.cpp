@@ -2,9 +2,8 @@
 
 #include "acquisition/evaluation.h"
 #include "acquisition/report.h"
-#include "acquisition/session_file.h"
-#include "base/errors.h"
 #include "cli/command.h"
+#include "cli/open_session.h"
 #include "cli/text.h"
 #include "io/file_kind.h"
 #include "io/mesh_reader.h"
@@ -20,16 +19,14 @@ struct EvaluateArguments {
   std::string placement = "as-is";
 };
 
-Mesh loadModel(const std::string& path, const Progress& progress) {
-  if (detectFileKind(path) != FileKind::Session) return loadMesh(path, {}, progress).mesh;
-  const Session session = SessionFile::open(path).load(progress);
-  if (!session.state.model) throw InvalidInput(path + ": has no model yet, expected at least one view");
-  return session.state.model->mesh;
+Mesh loadModel(const std::string& path, CommandContext& context) {
+  if (detectFileKind(path) == FileKind::Session) return readSessionModel(path, context)->mesh;
+  return loadMesh(path, {}, context.progress().part(0.0, 0.1, "read model")).mesh;
 }
 
 void run(const EvaluateArguments& args, CommandContext& context) {
   const ScannerProfile profile = loadProfile(args.scanner);
-  const Mesh model = loadModel(args.model, context.progress().part(0.0, 0.1, "read model"));
+  const Mesh model = loadModel(args.model, context);
   Mesh object = loadMesh(args.object, {}, context.progress().part(0.1, 0.2, "read object")).mesh;
   const Placement placement = args.placement == "fit" ? Placement::Fit : Placement::AsIs;
   object = placed(object, computePlacement(object, placement, profile.viewingVolume));

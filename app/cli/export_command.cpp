@@ -1,9 +1,8 @@
 #include <memory>
 
 #include "acquisition/report.h"
-#include "acquisition/session_file.h"
-#include "base/errors.h"
 #include "cli/command.h"
+#include "cli/open_session.h"
 #include "io/mesh_writer.h"
 
 namespace vantage {
@@ -15,10 +14,9 @@ struct ExportArguments {
 };
 
 void run(const ExportArguments& args, CommandContext& context) {
-  const Session session = SessionFile::open(args.session).load(context.progress().part(0.0, 0.5, "read session"));
-  if (!session.state.model) throw InvalidInput(args.session + ": has no model yet, expected at least one view");
-  exportModel(*session.state.model, args.out, context.progress().part(0.5, 1.0, "write model"));
-  const auto model = modelJson(session.state.model->mesh);
+  const auto read = readSessionModel(args.session, context);
+  exportModel(*read, args.out, context.progress().part(0.5, 1.0, "write model"));
+  const auto model = modelJson(read->mesh);
   context.result({{"file", args.out}, {"model", model}}, args.out + ": " + model["triangles"].dump() + " triangles\n");
 }
 

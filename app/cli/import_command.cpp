@@ -3,7 +3,7 @@
 
 #include "acquisition/import_scans.h"
 #include "acquisition/report.h"
-#include "acquisition/session_file.h"
+#include "acquisition/session.h"
 #include "base/errors.h"
 #include "cli/command.h"
 #include "cli/text.h"
@@ -65,9 +65,17 @@ void run(const ImportArguments& args, CommandContext& context) {
     profile = std::make_unique<const ScannerProfile>(parseProfile(*source));
   }
   const Progress progress = context.progress();
-  std::vector<RangeImage> scans = readScans(args, profile.get(), progress.part(0.0, 0.1, "read scans"));
-  const ImportResult result = importScans(std::move(scans), {}, progress.part(0.1, 1.0));
-  SessionFile::create(args.session, source, {}).save(result.state);
+  const std::vector<RangeImage> images = readScans(args, profile.get(), progress.part(0.0, 0.1, "read scans"));
+  Session session = Session::create(args.session, {source, {}, nullptr});
+  ImportScans command;
+  std::vector<NumberedScan> scans;
+  for (const RangeImage& image : images) {
+    command.scans.push_back(session.keepScan(image));
+    scans.push_back({command.scans.back(), session.scan(command.scans.back())});
+  }
+  ImportResult result = importScans(scans, importOptionsFor(*session.state()), progress.part(0.1, 1.0));
+  result.state.profile = session.profile();
+  session.record(command, result.state);
 
   const auto json = importJson(args, result);
   std::string text;

@@ -1,7 +1,7 @@
 #include <memory>
 
-#include "acquisition/session_file.h"
 #include "cli/command.h"
+#include "cli/open_session.h"
 #include "io/file_info.h"
 
 namespace vantage {
@@ -11,20 +11,28 @@ nlohmann::ordered_json jsonOf(const FactValue& value) {
   return std::visit([](const auto& v) { return nlohmann::ordered_json(v); }, value);
 }
 
-// What a session holds, beyond that it is one.
-void addSessionFacts(const std::string& path, const Progress& progress, FileInfo& info) {
-  const Session session = SessionFile::open(path).load(progress);
-  info.facts.emplace_back("views", static_cast<std::int64_t>(session.state.views.size()));
-  info.facts.emplace_back("scanner",
-                          session.state.profile ? session.state.profile->name : std::string("recorded scans"));
-  info.facts.emplace_back("object", session.settings.object);
-  if (session.state.model)
-    info.facts.emplace_back("model_triangles", static_cast<std::int64_t>(session.state.model->mesh.triangles.size()));
+// What a session holds, beyond that it is one. Scans and models stay on the disk.
+void addSessionFacts(const std::string& path, CommandContext& context, FileInfo& info) {
+  const Session session = openSession(path, SessionAccess::Read, context);
+  const History& history = session.history();
+  const StateOutline& outline = *history.current().outline;
+  info.facts.emplace_back("scans", session.scanCount());
+  info.facts.emplace_back("views", static_cast<std::int64_t>(outline.views.size()));
+  info.facts.emplace_back("rejected", static_cast<std::int64_t>(outline.rejected.size()));
+  info.facts.emplace_back("left_out", static_cast<std::int64_t>(outline.leftOut.size()));
+  info.facts.emplace_back("steps", static_cast<std::int64_t>(history.size()));
+  info.facts.emplace_back("last_step", describe(history.current().command));
+  info.facts.emplace_back("state", std::string(name(outline.termination)));
+  info.facts.emplace_back("scanner", session.profile() ? session.profile()->name : std::string("recorded scans"));
+  info.facts.emplace_back("object", outline.settings.object);
+  if (const auto model = session.model(history.cursor()))
+    info.facts.emplace_back("model_triangles", static_cast<std::int64_t>(model->mesh.triangles.size()));
+  info.facts.emplace_back("damages", static_cast<std::int64_t>(session.losses().size()));
 }
 
 void run(const std::string& path, CommandContext& context) {
   FileInfo info = describeFile(path, context.progress());
-  if (info.content == FileContent::Session) addSessionFacts(path, context.progress(), info);
+  if (info.content == FileContent::Session) addSessionFacts(path, context, info);
   nlohmann::ordered_json json{{"file", path}, {"kind", nameOf(info.content)}};
   std::string text = path + ": " + nameOf(info.content) + "\n";
   for (const auto& [key, value] : info.facts) {

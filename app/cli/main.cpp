@@ -21,8 +21,10 @@ int run(int argc, char** argv) {
   app.set_version_flag("--version", "vantage-cli " VANTAGE_VERSION);
   app.require_subcommand(1);
   vantage::addAcquireCommand(app, context);
+  vantage::addResumeCommand(app, context);
   vantage::addImportCommand(app, context);
   vantage::addPlanCommand(app, context);
+  vantage::addStepCommand(app, context);
   vantage::addExportCommand(app, context);
   vantage::addInfoCommand(app, context);
   vantage::addEvaluateCommand(app, context);

@@ -2,11 +2,11 @@
 #include <optional>
 
 #include "acquisition/report.h"
-#include "acquisition/session_file.h"
 #include "acquisition/steps.h"
 #include "base/errors.h"
 #include "cli/cache_directory.h"
 #include "cli/command.h"
+#include "cli/open_session.h"
 #include "cli/text.h"
 #include "planning/choice.h"
 #include "positional_space/scanner_images_cache.h"
@@ -20,18 +20,6 @@ struct PlanArguments {
   std::optional<int> position;
 };
 
-const char* outcomeName(PlanOutcome outcome) {
-  switch (outcome) {
-    case PlanOutcome::Found:
-      return "found";
-    case PlanOutcome::Finished:
-      return "finished";
-    case PlanOutcome::NoOverlap:
-      return "no_overlap";
-  }
-  return "";
-}
-
 std::string scoreText(const PositionScore& s) {
   std::string text = "position " + std::to_string(s.position) + ": void " + number(promise(s), 1) + " mm2, overlap " +
                      number(s.overlapArea, 0) + " mm2, " + std::string(name(s.constraint));
@@ -43,7 +31,7 @@ std::string scoreText(const PositionScore& s) {
 }
 
 nlohmann::ordered_json planJson(const Plan& plan, const PlanArguments& args) {
-  nlohmann::ordered_json json{{"outcome", outcomeName(plan.outcome)},
+  nlohmann::ordered_json json{{"outcome", name(plan.outcome)},
                               {"position", plan.position},
                               {"least_overlap_mm2", plan.leastOverlap},
                               {"relaxations", plan.relaxations},
@@ -62,7 +50,7 @@ nlohmann::ordered_json planJson(const Plan& plan, const PlanArguments& args) {
 std::string planText(const Plan& plan, const PlanArguments& args) {
   std::string text = plan.outcome == PlanOutcome::Found
                          ? "next best view: position " + std::to_string(plan.position) + "\n"
-                         : std::string(outcomeName(plan.outcome)) + "\n";
+                         : std::string(name(plan.outcome)) + "\n";
   text += "t = " + number(plan.leastOverlap, 1) + " mm2, F = " + number(plan.terminationThreshold, 1) + " mm2\n";
   if (args.why)
     for (const PositionScore& s : plan.scores) text += scoreText(s);
@@ -71,20 +59,23 @@ std::string planText(const Plan& plan, const PlanArguments& args) {
 }
 
 void run(const PlanArguments& args, CommandContext& context) {
-  const Session session = SessionFile::open(args.session).load(context.progress().part(0.0, 0.2, "read session"));
-  const auto& profile = session.state.profile;
+  const auto state = readSession(args.session, context);
+  const auto& profile = state->profile;
   if (!profile)
     throw InvalidInput(args.session +
                        ": holds recorded scans without a workspace, a next view needs a scanner profile");
-  if (!session.state.model) throw InvalidInput(args.session + ": has no view yet to plan from");
+  if (!state->model) throw InvalidInput(args.session + ": has no view yet to plan from");
   if (args.position && (*args.position < 0 || *args.position >= static_cast<int>(profile->workspace.size())))
     throw InvalidInput("--position is " + std::to_string(*args.position) + ", the workspace has positions 0 to " +
                        std::to_string(profile->workspace.size() - 1));
   const ScannerImages images = loadScannerImages(*profile, cacheDirectory(),
                                                  context.progress().part(0.2, 0.3, "positional space of the scanner"));
-  const Plan plan =
-      planAfter(session.state, images, stepOptionsFor(*profile, session.settings), context.progress().part(0.3, 1.0));
-  context.result(planJson(plan, args), planText(plan, args));
+  // The plan that the session holds, else the one that the state gives.
+  std::shared_ptr<const Plan> plan = currentPlan(*state);
+  if (!plan)
+    plan = std::make_shared<const Plan>(
+        planAfter(*state, images, stepOptionsFor(*state), context.progress().part(0.3, 1.0)));
+  context.result(planJson(*plan, args), planText(*plan, args));
 }
 
 }  // namespace

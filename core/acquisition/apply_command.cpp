@@ -51,9 +51,9 @@ class Carrier {
   AcquisitionState operator()(const ImportScans& command) const {
     if (!state_.views.empty() || !state_.rejected.empty())
       throw InvalidInput("recorded scans can only be imported into an empty session");
-    std::vector<RangeImage> scans;
-    for (const std::int64_t scan : command.scans) scans.push_back(*input_.scan(scan));
-    AcquisitionState next = importScans(std::move(scans), {}, progress_).state;
+    std::vector<NumberedScan> scans;
+    for (const std::int64_t scan : command.scans) scans.push_back({scan, input_.scan(scan)});
+    AcquisitionState next = importScans(scans, importOptionsFor(state_), progress_).state;
     next.profile = state_.profile;
     next.settings = state_.settings;
     return next;

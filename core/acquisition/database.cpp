@@ -2,13 +2,59 @@
 
 #include <sqlite3.h>
 
+#include <cctype>
 #include <cstring>
 #include <filesystem>
+#include <new>
 #include <utility>
 
 #include "base/errors.h"
 
 namespace vantage {
+namespace {
+
+// What a code of SQLite means to who works with a session.
+std::string meaning(int code, const char* detail) {
+  switch (code & 0xff) {
+    case SQLITE_FULL:
+      return "the disk is full; the session is as it was before, go on when there is room";
+    case SQLITE_READONLY:
+    case SQLITE_PERM:
+    case SQLITE_CANTOPEN:
+      return std::string("the session or its folder cannot be written to (") + detail + ")";
+    case SQLITE_CORRUPT:
+    case SQLITE_NOTADB:
+      return std::string("is damaged, or no session (") + detail + ")";
+    case SQLITE_BUSY:
+    case SQLITE_LOCKED:
+      return "another program is writing to the session";
+    default:
+      return std::string("session database: ") + detail;
+  }
+}
+
+// A file name as SQLite takes it in a URI.
+std::string fileUri(const std::string& path) {
+  constexpr const char* kDigits = "0123456789ABCDEF";
+  std::string uri = "file:";
+  for (const char c : std::filesystem::absolute(path).string()) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (std::isalnum(byte) != 0 || c == '/' || c == '.' || c == '-' || c == '_') {
+      uri += c;
+    } else {
+      uri += {'%', kDigits[byte >> 4], kDigits[byte & 15]};
+    }
+  }
+  return uri;
+}
+
+bool hasLog(const std::string& path) {
+  std::error_code error;
+  const auto size = std::filesystem::file_size(path + "-wal", error);
+  return !error && size > 0;
+}
+
+}  // namespace
 
 Statement::Statement(sqlite3* database, std::string path, const std::string& sql)
     : database_(database), path_(std::move(path)), statement_(nullptr, &sqlite3_finalize) {
@@ -18,8 +64,9 @@ Statement::Statement(sqlite3* database, std::string path, const std::string& sql
 }
 
 void Statement::check(int code) const {
-  if (code != SQLITE_OK && code != SQLITE_ROW && code != SQLITE_DONE)
-    throw IoError(path_, std::string("session database: ") + sqlite3_errmsg(database_));
+  if (code == SQLITE_OK || code == SQLITE_ROW || code == SQLITE_DONE) return;
+  if (code == SQLITE_NOMEM) throw std::bad_alloc();
+  throw IoError(path_, meaning(code, sqlite3_errmsg(database_)));
 }
 
 Statement& Statement::bind(int parameter, std::int64_t value) {
@@ -43,6 +90,12 @@ Statement& Statement::bind(int parameter, std::span<const std::byte> blob) {
   return *this;
 }
 
+Statement& Statement::bindRow(const Statement& row) {
+  for (int i = 0; i < row.columns(); ++i)
+    check(sqlite3_bind_value(statement_.get(), i + 1, sqlite3_column_value(row.statement_.get(), i)));
+  return *this;
+}
+
 bool Statement::step() {
   const int code = sqlite3_step(statement_.get());
   check(code);
@@ -50,9 +103,18 @@ bool Statement::step() {
 }
 
 void Statement::run() {
-  while (step()) {
+  try {
+    while (step()) {
+    }
+  } catch (...) {
+    sqlite3_reset(statement_.get());
+    throw;
   }
   check(sqlite3_reset(statement_.get()));
+}
+
+int Statement::columns() const {
+  return sqlite3_column_count(statement_.get());
 }
 
 std::int64_t Statement::integer(int column) const {
@@ -76,19 +138,87 @@ std::vector<std::byte> Statement::blob(int column) const {
   return bytes;
 }
 
-Database::Database(const std::string& path, Mode mode) : path_(path), handle_(nullptr, &sqlite3_close_v2) {
+Database::Database(std::string path, sqlite3* handle) : path_(std::move(path)), handle_(handle, &sqlite3_close_v2) {}
+
+Database::Database(const std::string& path, Mode mode) : Database(path, nullptr) {
+  if (mode == Mode::Read) {
+    openForReading();
+    return;
+  }
   if (mode == Mode::Create) {
     std::error_code ignored;
     for (const char* suffix : {"", "-wal", "-shm", "-journal"}) std::filesystem::remove(path + suffix, ignored);
   }
-  sqlite3* handle = nullptr;
-  const int flags = SQLITE_OPEN_READWRITE | (mode == Mode::Create ? SQLITE_OPEN_CREATE : 0);
-  const int code = sqlite3_open_v2(path.c_str(), &handle, flags, nullptr);
-  handle_.reset(handle);
-  if (code != SQLITE_OK) throw IoError(path, std::string("cannot be opened as a session: ") + sqlite3_errstr(code));
-  sqlite3_busy_timeout(handle, 2000);
+  const int code = openHandle(path, SQLITE_OPEN_READWRITE | (mode == Mode::Create ? SQLITE_OPEN_CREATE : 0));
+  if (code != SQLITE_OK) throw IoError(path, meaning(code, sqlite3_errstr(code)));
+  sqlite3_busy_timeout(handle_.get(), 2000);
   run("PRAGMA journal_mode=WAL");
   run("PRAGMA synchronous=FULL");
+}
+
+int Database::openHandle(const std::string& name, int flags) {
+  sqlite3* handle = nullptr;
+  const int code = sqlite3_open_v2(name.c_str(), &handle, flags | SQLITE_OPEN_EXRESCODE, nullptr);
+  handle_.reset(handle);
+  if (code != SQLITE_OK) return code;
+  // A file from elsewhere must not run what its schema says.
+  sqlite3_db_config(handle, SQLITE_DBCONFIG_DEFENSIVE, 1, nullptr);
+  sqlite3_db_config(handle, SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, nullptr);
+  return SQLITE_OK;
+}
+
+// A reader of a write-ahead log needs to write beside it. Where it cannot, a file without a log is read as it stands,
+// and one with a log is copied to where it can be.
+void Database::openForReading() {
+  if (!std::filesystem::exists(path_)) throw IoError(path_, "does not exist");
+  int code = openHandle(path_, SQLITE_OPEN_READONLY);
+  if (code == SQLITE_OK) sqlite3_busy_timeout(handle_.get(), 2000);
+  if (code == SQLITE_OK)
+    code = sqlite3_exec(handle_.get(), "BEGIN; SELECT 1 FROM sqlite_master", nullptr, nullptr, nullptr);
+  const int kind = code & 0xff;
+  if (code != SQLITE_OK && (kind == SQLITE_CANTOPEN || kind == SQLITE_READONLY)) {
+    if (hasLog(path_))
+      throw IoError(path_, "its last changes are in " + path_ +
+                               "-wal, which can only be read in a folder that can be written to; copy both there");
+    code = openHandle(fileUri(path_) + "?immutable=1", SQLITE_OPEN_READONLY | SQLITE_OPEN_URI);
+  }
+  if (code != SQLITE_OK) throw IoError(path_, meaning(code, sqlite3_errstr(code)));
+}
+
+void Database::backUp(Database& copy) const {
+  sqlite3_backup* backup = sqlite3_backup_init(copy.handle_.get(), "main", handle_.get(), "main");
+  if (backup == nullptr) throw IoError(path_, meaning(SQLITE_ERROR, sqlite3_errmsg(copy.handle_.get())));
+  sqlite3_backup_step(backup, -1);
+  const int done = sqlite3_backup_finish(backup);
+  if (done != SQLITE_OK) throw IoError(copy.path_, meaning(done, sqlite3_errstr(done)));
+}
+
+Database Database::inMemory(const std::string& path) {
+  Database database(path, nullptr);
+  const int code = database.openHandle(":memory:", SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE);
+  if (code != SQLITE_OK) throw IoError(path, meaning(code, sqlite3_errstr(code)));
+  return database;
+}
+
+Database Database::copyInMemory() const {
+  Database copy = inMemory(path_);
+  backUp(copy);
+  return copy;
+}
+
+void Database::copyTo(const std::string& path) const {
+  if (std::filesystem::exists(path)) throw IoError(path, "exists already");
+  Database copy(path, Mode::Create);
+  backUp(copy);
+}
+
+bool Database::sound() {
+  try {
+    Statement check = prepare("PRAGMA quick_check(1)");
+    return check.step() && check.text(0) == "ok";
+  } catch (const IoError&) {
+    return false;
+  }
 }
 
 Statement Database::prepare(const std::string& sql) {

@@ -22,11 +22,15 @@ class Statement {
   Statement& bind(int parameter, std::string_view text);
   Statement& bind(int parameter, std::span<const std::byte> blob);
 
+  /// Binds all columns of another statement's row, whatever they are, to parameters 1, 2, ...
+  Statement& bindRow(const Statement& row);
+
   /// Runs to the next row. @return false when there is none. @throws IoError
   bool step();
   /// Runs a statement that returns no rows, and makes it ready for another run.
   void run();
 
+  [[nodiscard]] int columns() const;
   [[nodiscard]] std::int64_t integer(int column) const;
   [[nodiscard]] double real(int column) const;
   [[nodiscard]] std::string text(int column) const;
@@ -43,10 +47,23 @@ class Statement {
 /// An SQLite database file (WAL, synchronous=FULL).
 class Database {
  public:
-  enum class Mode { Create, Open };
+  enum class Mode { Create, Write, Read };
 
-  /// Create replaces a file of that name. @throws IoError
+  /// Create replaces a file of that name. Read changes nothing, works in folders that cannot be written to, and sees
+  /// the file as it was when it was opened. @throws IoError
   Database(const std::string& path, Mode mode);
+
+  /// An empty database in memory; messages name it by the path.
+  [[nodiscard]] static Database inMemory(const std::string& path);
+
+  /// A copy in memory, to be changed at will.
+  [[nodiscard]] Database copyInMemory() const;
+
+  /// Writes what this connection sees to a new file. @throws IoError, also when a file of that name exists
+  void copyTo(const std::string& path) const;
+
+  /// Whether every page is where it belongs.
+  [[nodiscard]] bool sound();
 
   [[nodiscard]] Statement prepare(const std::string& sql);
   void run(const std::string& sql);
@@ -68,6 +85,11 @@ class Database {
   [[nodiscard]] const std::string& path() const { return path_; }
 
  private:
+  Database(std::string path, sqlite3* handle);
+  int openHandle(const std::string& name, int flags);
+  void openForReading();
+  void backUp(Database& copy) const;
+
   std::string path_;
   std::unique_ptr<sqlite3, int (*)(sqlite3*)> handle_;
 };

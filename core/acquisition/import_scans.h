@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "acquisition/acquisition_state.h"
+#include "acquisition/steps.h"
 #include "base/progress.h"
 #include "integration/consensus.h"
 #include "integration/zipper.h"
@@ -29,10 +29,13 @@ struct ImportResult {
   VoidSurface voids;  ///< what is still void
 };
 
+/// Options that fit a scanner, or recorded scans without one.
+[[nodiscard]] ImportOptions importOptionsFor(const AcquisitionState& state);
+
 /// Registers recorded scans from their nominal poses, the first of which stays, and zippers those that found their
 /// place. Steps reported: register, integrate, void_patches.
 /// @throws InvalidInput when there is no scan or the first has no surface; Cancelled
-[[nodiscard]] ImportResult importScans(std::vector<RangeImage> scans, const ImportOptions& options,
+[[nodiscard]] ImportResult importScans(const std::vector<NumberedScan>& scans, const ImportOptions& options,
                                        const Progress& progress);
 
 }  // namespace vantage

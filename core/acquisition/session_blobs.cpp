@@ -2,8 +2,12 @@
 
 #include <zstd.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
+#include <memory>
+#include <new>
 
 #include "acquisition/blob.h"
 #include "base/errors.h"
@@ -13,11 +17,19 @@ namespace {
 
 constexpr int kCompressionLevel = 1;
 // No column of a session grows larger than this when it is unpacked.
-constexpr unsigned long long kMaxUnpacked = 4ULL << 30;
+constexpr unsigned long long kMaxUnpacked = 1ULL << 30;
 
+// The best that the format can do: what claims to be larger than this many times its bytes lies.
+constexpr unsigned long long kMaxRatio = 40000;
+
+// With a checksum, so that no flipped bit goes unnoticed.
 std::vector<std::byte> compressed(const std::vector<std::byte>& bytes) {
+  const std::unique_ptr<ZSTD_CCtx, std::size_t (*)(ZSTD_CCtx*)> context(ZSTD_createCCtx(), &ZSTD_freeCCtx);
+  if (!context) throw std::bad_alloc();
+  ZSTD_CCtx_setParameter(context.get(), ZSTD_c_compressionLevel, kCompressionLevel);
+  ZSTD_CCtx_setParameter(context.get(), ZSTD_c_checksumFlag, 1);
   std::vector<std::byte> packed(ZSTD_compressBound(bytes.size()));
-  const std::size_t size = ZSTD_compress(packed.data(), packed.size(), bytes.data(), bytes.size(), kCompressionLevel);
+  const std::size_t size = ZSTD_compress2(context.get(), packed.data(), packed.size(), bytes.data(), bytes.size());
   if (ZSTD_isError(size) != 0) throw Error(std::string("compressing failed: ") + ZSTD_getErrorName(size));
   packed.resize(size);
   return packed;
@@ -25,7 +37,8 @@ std::vector<std::byte> compressed(const std::vector<std::byte>& bytes) {
 
 std::vector<std::byte> decompressed(std::span<const std::byte> packed, const std::string& what) {
   const unsigned long long size = ZSTD_getFrameContentSize(packed.data(), packed.size());
-  if (size == ZSTD_CONTENTSIZE_ERROR || size == ZSTD_CONTENTSIZE_UNKNOWN || size > kMaxUnpacked)
+  if (size == ZSTD_CONTENTSIZE_ERROR || size == ZSTD_CONTENTSIZE_UNKNOWN || size > kMaxUnpacked ||
+      size > kMaxRatio * packed.size())
     throw InvalidInput(what + " is damaged: it is not a compressed block");
   std::vector<std::byte> bytes(size);
   const std::size_t got = ZSTD_decompress(bytes.data(), bytes.size(), packed.data(), packed.size());
@@ -45,6 +58,65 @@ std::vector<Vec3> unpacked(const std::vector<std::array<double, 3>>& points) {
   result.reserve(points.size());
   for (const auto& p : points) result.emplace_back(p[0], p[1], p[2]);
   return result;
+}
+
+bool indicesFit(const Mesh& mesh) {
+  for (const Triangle& t : mesh.triangles)
+    for (const std::uint32_t v : t)
+      if (v >= mesh.vertices.size()) return false;
+  return std::all_of(mesh.vertices.begin(), mesh.vertices.end(), [](const Vec3& v) { return v.allFinite(); });
+}
+
+// A void patch as it lies in the file.
+struct PackedPatch {
+  std::array<std::uint32_t, 3> edge;
+  std::uint32_t view;
+  std::array<double, 18> points;  // centre, normal, corners
+  std::array<double, 4> sizes;    // width, depth, weight, angle
+  std::uint8_t edgeClass;
+  std::uint8_t bridged;
+  std::array<std::uint8_t, 6> unused;
+};
+static_assert(sizeof(PackedPatch) == 200);
+
+PackedPatch packed(const VoidPatch& p) {
+  PackedPatch result{{p.from, p.to, p.triangle}, p.view, {}, {p.width, p.depth, p.weight, p.angle}, 0, 0, {}};
+  const std::array<Vec3, 6> points{p.centre, p.normal, p.corners[0], p.corners[1], p.corners[2], p.corners[3]};
+  for (std::size_t i = 0; i < result.points.size(); ++i) result.points[i] = points[i / 3][static_cast<int>(i % 3)];
+  result.edgeClass = static_cast<std::uint8_t>(p.edgeClass);
+  result.bridged = p.bridged ? 1 : 0;
+  return result;
+}
+
+VoidPatch unpacked(const PackedPatch& p) {
+  VoidPatch result;
+  result.from = p.edge[0];
+  result.to = p.edge[1];
+  result.triangle = p.edge[2];
+  result.view = p.view;
+  const auto point = [&](std::size_t i) { return Vec3(p.points[3 * i], p.points[3 * i + 1], p.points[3 * i + 2]); };
+  result.centre = point(0);
+  result.normal = point(1);
+  for (std::size_t i = 0; i < 4; ++i) result.corners[i] = point(2 + i);
+  result.width = p.sizes[0];
+  result.depth = p.sizes[1];
+  result.weight = p.sizes[2];
+  result.angle = p.sizes[3];
+  result.edgeClass = static_cast<EdgeClass>(p.edgeClass);
+  result.bridged = p.bridged != 0;
+  return result;
+}
+
+std::shared_ptr<const VoidSurface> voidsFrom(const std::vector<PackedPatch>& patches, const std::string& what) {
+  auto voids = std::make_shared<VoidSurface>();
+  for (const PackedPatch& p : patches) {
+    const bool finite = std::all_of(p.points.begin(), p.points.end(), [](double v) { return std::isfinite(v); });
+    if (p.edgeClass >= kEdgeClasses || !finite) throw InvalidInput(what + " is damaged: a void patch is none");
+    voids->patches.push_back(unpacked(p));
+    ++voids->counts[p.edgeClass];
+    if (p.bridged != 0) ++voids->bridged;
+  }
+  return voids;
 }
 
 }  // namespace
@@ -136,11 +208,58 @@ Model modelFromBlob(std::span<const std::byte> blob, const std::string& what) {
   const std::size_t vertices = model.mesh.vertices.size();
   bool whole = model.confidence.size() == vertices && model.vertexView.size() == vertices &&
                model.vertexSample.size() == vertices && model.triangleView.size() == model.mesh.triangles.size();
-  for (const Triangle& t : model.mesh.triangles)
-    for (const std::uint32_t v : t) whole = whole && v < vertices;
-  for (const Vec3& v : model.mesh.vertices) whole = whole && v.allFinite();
+  whole = whole && indicesFit(model.mesh);
   if (!whole) throw InvalidInput(what + " is damaged: its parts do not fit together");
   return model;
+}
+
+std::vector<std::byte> meshBlob(const Mesh& mesh) {
+  BlobWriter writer;
+  writer.list(packed(mesh.vertices));
+  writer.list(mesh.triangles);
+  return compressed(writer.bytes());
+}
+
+Mesh meshFromBlob(std::span<const std::byte> blob, const std::string& what) {
+  const auto bytes = decompressed(blob, what);
+  BlobReader reader(bytes, what);
+  Mesh mesh;
+  mesh.vertices = unpacked(reader.list<std::array<double, 3>>());
+  mesh.triangles = reader.list<Triangle>();
+  reader.finish();
+  if (!indicesFit(mesh)) throw InvalidInput(what + " is damaged: its parts do not fit together");
+  return mesh;
+}
+
+std::vector<std::byte> planBlob(const Plan& plan) {
+  BlobWriter writer;
+  std::vector<PackedPatch> patches;
+  if (plan.voids)
+    for (const VoidPatch& p : plan.voids->patches) patches.push_back(packed(p));
+  writer.list(patches);
+  std::vector<std::array<std::uint8_t, 3>> outlook;
+  for (const PatchOutlook& o : plan.outlook)
+    outlook.push_back({o.looks, static_cast<std::uint8_t>(o.answered), static_cast<std::uint8_t>(o.reason)});
+  writer.list(outlook);
+  for (const PositionScore& score : plan.scores) writer.list(score.patches);
+  return compressed(writer.bytes());
+}
+
+void addFromPlanBlob(Plan& plan, std::span<const std::byte> blob, const std::string& what) {
+  const auto bytes = decompressed(blob, what);
+  BlobReader reader(bytes, what);
+  plan.voids = voidsFrom(reader.list<PackedPatch>(), what);
+  for (const auto& o : reader.list<std::array<std::uint8_t, 3>>()) {
+    if (o[2] >= kEdgeReasons) throw InvalidInput(what + " is damaged: a patch is left for no known reason");
+    plan.outlook.push_back({o[0], o[1] != 0, static_cast<EdgeReason>(o[2])});
+  }
+  bool whole = plan.outlook.size() == plan.voids->patches.size();
+  for (PositionScore& score : plan.scores) {
+    score.patches = reader.list<std::uint32_t>();
+    for (const std::uint32_t patch : score.patches) whole = whole && patch < plan.voids->patches.size();
+  }
+  reader.finish();
+  if (!whole) throw InvalidInput(what + " is damaged: its parts do not fit together");
 }
 
 }  // namespace vantage

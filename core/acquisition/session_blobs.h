@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "integration/model.h"
+#include "planning/plan.h"
 #include "scanner/ray_grid.h"
 
 namespace vantage {
@@ -23,5 +24,13 @@ namespace vantage {
 
 [[nodiscard]] std::vector<std::byte> modelBlob(const Model& model);
 [[nodiscard]] Model modelFromBlob(std::span<const std::byte> blob, const std::string& what);
+
+[[nodiscard]] std::vector<std::byte> meshBlob(const Mesh& mesh);
+[[nodiscard]] Mesh meshFromBlob(std::span<const std::byte> blob, const std::string& what);
+
+/// What a plan says of every patch: void patches, their outlook, and which of them each position would see. The reader
+/// adds it to a plan that has its scores.
+[[nodiscard]] std::vector<std::byte> planBlob(const Plan& plan);
+void addFromPlanBlob(Plan& plan, std::span<const std::byte> blob, const std::string& what);
 
 }  // namespace vantage

@@ -123,6 +123,13 @@ std::uint64_t ContentHash::value() const {
   return mixed(value_);
 }
 
+std::string hashText(std::uint64_t hash) {
+  constexpr const char* kDigits = "0123456789abcdef";
+  std::string text(16, '0');
+  for (std::size_t i = 16; i-- > 0; hash >>= 4) text[i] = kDigits[hash & 15];
+  return text;
+}
+
 std::uint64_t contentHash(const Mesh& mesh) {
   ContentHash hash;
   for (const Vec3& v : mesh.vertices) hash.add(std::as_bytes(std::span(v.data(), 3)));

@@ -34,6 +34,9 @@ class ContentHash {
 /// count. Of plans before the current one only the scores do.
 [[nodiscard]] std::uint64_t stateHash(const AcquisitionState& state);
 
+/// 16 hexadecimal digits.
+[[nodiscard]] std::string hashText(std::uint64_t hash);
+
 /// Of positions and triangles.
 [[nodiscard]] std::uint64_t contentHash(const Mesh& mesh);
 

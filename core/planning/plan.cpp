@@ -2,6 +2,18 @@
 
 namespace vantage {
 
+std::string_view name(PlanOutcome outcome) {
+  switch (outcome) {
+    case PlanOutcome::Found:
+      return "found";
+    case PlanOutcome::Finished:
+      return "finished";
+    case PlanOutcome::NoOverlap:
+      return "no_overlap";
+  }
+  return "";
+}
+
 std::string_view name(Constraint constraint) {
   switch (constraint) {
     case Constraint::Chosen:

@@ -17,6 +17,8 @@ enum class PlanOutcome : std::uint8_t {
   NoOverlap,  ///< void is left to see, but nothing reaches it with enough overlap
 };
 
+[[nodiscard]] std::string_view name(PlanOutcome outcome);
+
 /// What decided over a position: none for the choice itself, otherwise the constraint that bound first.
 enum class Constraint : std::uint8_t {
   Chosen,

@@ -1,0 +1,37 @@
+#include "cli/open_session.h"
+
+#include "base/errors.h"
+
+namespace vantage {
+namespace {
+
+// What was found to be lost after the first `known` sentences.
+void tellLosses(const Session& session, std::size_t known, CommandContext& context) {
+  const std::vector<std::string> losses = session.losses();
+  for (std::size_t i = known; i < losses.size(); ++i) context.note("warning: " + losses[i]);
+}
+
+}  // namespace
+
+Session openSession(const std::string& path, SessionAccess access, CommandContext& context) {
+  Session session = Session::open(path, access, context.progress());
+  tellLosses(session, 0, context);
+  return session;
+}
+
+std::shared_ptr<const AcquisitionState> readSession(const std::string& path, CommandContext& context) {
+  const Session session = openSession(path, SessionAccess::Read, context);
+  const std::size_t known = session.losses().size();
+  auto state = session.state();
+  tellLosses(session, known, context);
+  return state;
+}
+
+std::shared_ptr<const Model> readSessionModel(const std::string& path, CommandContext& context) {
+  const Session session = openSession(path, SessionAccess::Read, context);
+  auto model = session.model(session.history().cursor());
+  if (!model) throw InvalidInput(path + ": has no model yet, expected at least one view");
+  return model;
+}
+
+}  // namespace vantage

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+
+#include "acquisition/session.h"
+#include "cli/command.h"
+
+namespace vantage {
+
+/// Opens a session and says on stderr what of it is lost.
+[[nodiscard]] Session openSession(const std::string& path, SessionAccess access, CommandContext& context);
+
+/// The state at the cursor of a session, opened for reading.
+[[nodiscard]] std::shared_ptr<const AcquisitionState> readSession(const std::string& path, CommandContext& context);
+
+/// The model at the cursor; nothing else is read.
+/// @throws InvalidInput when there is none yet
+[[nodiscard]] std::shared_ptr<const Model> readSessionModel(const std::string& path, CommandContext& context);
+
+}  // namespace vantage

@@ -1,0 +1,37 @@
+#include <filesystem>
+#include <memory>
+
+#include "cli/command.h"
+#include "cli/open_session.h"
+#include "cli/session_run.h"
+
+namespace vantage {
+namespace {
+
+struct ResumeArguments {
+  std::string session;
+  std::string out;
+};
+
+void run(const ResumeArguments& args, CommandContext& context) {
+  Session session = openSession(args.session, SessionAccess::Write, context);
+  const Mesh object = session.object(context.progress());
+  const std::string beside = std::filesystem::absolute(args.session).parent_path().string();
+  const std::string out = args.out.empty() ? beside : args.out;
+  makeFolder(out);
+  SessionRun(session, out, context).run(object);
+}
+
+}  // namespace
+
+void addResumeCommand(CLI::App& app, CommandContext& context) {
+  auto args = std::make_shared<ResumeArguments>();
+  CLI::App* command =
+      app.add_subcommand("resume", "Go on with an interrupted acquisition before the simulated scanner");
+  command->add_option("session", args->session, "Session file")->required();
+  command->add_option("--out", args->out, "Folder for model and report; beside the session when not given");
+  context.addCommonOptions(*command);
+  command->callback([args, &context] { run(*args, context); });
+}
+
+}  // namespace vantage

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <string>
+
+#include "acquisition/session.h"
+#include "cli/command.h"
+
+namespace vantage {
+
+/// An automatic run of a session before the simulated scanner: says what every scan brought, writes report.json,
+/// model.ply and model.stl at the end, also when it is cancelled.
+class SessionRun {
+ public:
+  /// @param out folder for the results, which exists. All must outlive it.
+  SessionRun(Session& session, std::string out, CommandContext& context);
+
+  /// @throws InvalidInput, IoError, DeviceError, Cancelled: the session can be resumed
+  void run(const Mesh& object);
+
+ private:
+  [[nodiscard]] std::string file(const char* name) const;
+  void acquireAll(const Mesh& object);
+  void tell(const AcquisitionState& state);
+  void writeResults();
+  void announce();
+
+  Session& session_;
+  std::string out_;
+  CommandContext& context_;
+  std::shared_ptr<const AcquisitionState> last_;
+  nlohmann::ordered_json report_;
+};
+
+/// What one scan brought, in a line.
+[[nodiscard]] std::string viewLine(const AcquisitionState& state);
+
+/// What became of the scan that was added last, in a line: viewLine, or why it was not integrated.
+[[nodiscard]] std::string scanLine(const AcquisitionState& before, const AcquisitionState& after);
+
+/// Makes a folder and those above it. @throws IoError
+void makeFolder(const std::string& path);
+
+}  // namespace vantage

@@ -1,0 +1,83 @@
+#include <memory>
+
+#include "acquisition/apply_command.h"
+#include "acquisition/next_scan.h"
+#include "acquisition/report.h"
+#include "base/errors.h"
+#include "cli/cache_directory.h"
+#include "cli/command.h"
+#include "cli/open_session.h"
+#include "cli/session_run.h"
+#include "io/range_files.h"
+#include "positional_space/scanner_images_cache.h"
+
+namespace vantage {
+namespace {
+
+struct StepArguments {
+  std::string session;
+  std::string range;
+  int position = 0;
+};
+
+// The scan as the session's scanner takes it at that position.
+RangeImage readScan(const StepArguments& args, const Session& session, const Progress& progress) {
+  const auto profile = session.profile();
+  if (!profile) throw InvalidInput(args.session + ": has no scanner profile, so no positions to scan from");
+  if (args.position >= static_cast<int>(profile->workspace.size()))
+    throw InvalidInput("--position is " + std::to_string(args.position) + ", the workspace has positions 0 to " +
+                       std::to_string(profile->workspace.size() - 1));
+  RangeImage image = readRangeFile(args.range, profile->rays, {}, progress);
+  image.position = args.position;
+  image.T_object_scanner = profile->workspace.poses[static_cast<std::size_t>(args.position)];
+  return image;
+}
+
+nlohmann::ordered_json stepJson(const AcquisitionState& before, const AcquisitionState& after) {
+  const bool added = after.rejected.size() == before.rejected.size();
+  const RegistrationResult& registration =
+      added ? after.records.back().registration : after.rejected.back().registration;
+  const NextScan next = nextScan(after);
+  return {{"added", added},
+          {"views", after.views.size()},
+          {"registration", registrationJson(registration)},
+          {"next_position", next.position},
+          {"state", name(after.termination)},
+          {"model", modelJson(after.model ? after.model->mesh : Mesh{})}};
+}
+
+void run(const StepArguments& args, CommandContext& context) {
+  Session session = openSession(args.session, SessionAccess::Write, context);
+  const Progress progress = context.progress();
+  const RangeImage image = readScan(args, session, progress.part(0.0, 0.1, "read scan"));
+  const ScannerImages images = loadScannerImages(*session.profile(), cacheDirectory(),
+                                                 progress.part(0.1, 0.2, "positional space of the scanner"));
+  const auto before = session.state();
+  AddScan command{session.keepScan(image), {}};
+  if (const auto plan = currentPlan(*before)) command.predicted = plan->scores[static_cast<std::size_t>(args.position)];
+  const CommandInput input{[&](std::int64_t number) { return session.scan(number); }, &images};
+  session.record(command, applyCommand(*before, command, input, progress.part(0.2, 1.0)));
+
+  const auto after = session.state();
+  const NextScan next = nextScan(*after);
+  const std::string then = next.termination == Termination::Running
+                               ? "next best view: position " + std::to_string(next.position)
+                               : "nothing is left to scan: " + std::string(name(next.termination));
+  context.result(stepJson(*before, *after), scanLine(*before, *after) + "\n" + then + "\n");
+}
+
+}  // namespace
+
+void addStepCommand(CLI::App& app, CommandContext& context) {
+  auto args = std::make_shared<StepArguments>();
+  CLI::App* command = app.add_subcommand("step", "Add one scan of the session's scanner: register, integrate, plan");
+  command->add_option("session", args->session, "Session file")->required();
+  command->add_option("--range", args->range, "PLY range file with the rays of the session's scanner")->required();
+  command->add_option("--position", args->position, "Position of the workspace that it was taken from")
+      ->required()
+      ->check(CLI::NonNegativeNumber);
+  context.addCommonOptions(*command);
+  command->callback([args, &context] { run(*args, context); });
+}
+
+}  // namespace vantage

@@ -1,0 +1,323 @@
+#include "acquisition/session.h"
+
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <mutex>
+#include <utility>
+
+#include "acquisition/session_lock.h"
+#include "acquisition/session_rescue.h"
+#include "acquisition/session_schema.h"
+#include "acquisition/session_states.h"
+#include "acquisition/session_store.h"
+#include "acquisition/state_hash.h"
+#include "base/errors.h"
+#include "io/mesh_reader.h"
+#include "io/placement.h"
+
+namespace vantage {
+namespace {
+
+// Which file a name stands for.
+std::pair<std::uint64_t, std::uint64_t> fileBehind(const std::string& path) {
+  struct stat status {};
+  if (stat(path.c_str(), &status) != 0) return {0, 0};
+  return {static_cast<std::uint64_t>(status.st_dev), static_cast<std::uint64_t>(status.st_ino)};
+}
+
+// A transaction around one change of a session.
+template <typename Change>
+void transact(SessionStore& store, const Change& change) {
+  Database::Transaction transaction(store.database());
+  change();
+  transaction.commit();
+}
+
+}  // namespace
+
+struct Session::Parts {
+  Parts(const std::string& name, SessionAccess sessionAccess, std::optional<SessionLock> sessionLock, Database database)
+      : path(name),
+        access(sessionAccess),
+        lock(std::move(sessionLock)),
+        store(std::move(database)),
+        states(store, losses),
+        history([this](const HistoryEntry& entry) { return stateOf(entry); }),
+        file(fileBehind(name)) {}
+
+  [[nodiscard]] std::shared_ptr<const AcquisitionState> stateOf(const HistoryEntry& entry) {
+    const std::lock_guard guard(mutex);
+    return std::make_shared<const AcquisitionState>(states.state(history, entry));
+  }
+
+  void restore() {
+    StoredHistory stored = store.history();
+    losses.insert(losses.end(), stored.losses.begin(), stored.losses.end());
+    if (stored.entries.empty())
+      throw InvalidInput(path + ": no step of the session is readable; its scans may still be in the table scan");
+    history.restore(std::move(stored.entries), stored.cursor);
+    states.setProfile(store.profileSource());
+  }
+
+  void mustBeWritable() const {
+    if (access == SessionAccess::Read) throw InvalidInput(path + ": is open for reading only");
+  }
+
+  // Who removes or replaces the file of an open session would lose everything from then on, without a word.
+  void mustBeInPlace() {
+    if (fileBehind(path) == file) return;
+    if (refuge.empty()) {
+      const std::string copy = freeName(path, ".rescued");
+      store.database().copyTo(copy);
+      refuge = copy;
+    }
+    throw IoError(path, "was removed or replaced while it was open; the whole session was written to " + refuge);
+  }
+
+  void add(const Command& command, AcquisitionState state) {
+    auto shared = std::make_shared<const AcquisitionState>(std::move(state));
+    HistoryEntry entry{store.nextStep(), command, nullptr, stateHash(*shared)};
+    const bool first = history.size() == 0;
+    const StateOutline none;
+    const StateOutline& before = first ? none : *history.current().outline;
+    entry.outline = std::make_shared<const StateOutline>(states.outline(*shared, before, entry.step));
+    transact(store, [&] { store.addStep(entry, first ? 0 : history.current().step, *shared); });
+    states.remember(*entry.outline, *shared);
+    history.add(std::move(entry), std::move(shared));
+  }
+
+  void move(void (History::*there)(), void (History::*back)(), const char* what) {
+    const std::lock_guard guard(mutex);
+    mustBeWritable();
+    (history.*there)();
+    try {
+      transact(store, [&] { store.moveCursor(history.current().step, what); });
+    } catch (...) {
+      (history.*back)();
+      throw;
+    }
+  }
+
+  std::string path;
+  SessionAccess access;
+  std::optional<SessionLock> lock;
+  std::vector<std::string> losses;
+  SessionStore store;
+  SessionStates states;
+  History history;
+  std::pair<std::uint64_t, std::uint64_t> file;
+  std::string refuge;
+  std::recursive_mutex mutex;
+};
+
+Session::Session(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
+Session::Session(Session&& other) noexcept = default;
+Session& Session::operator=(Session&& other) noexcept = default;
+Session::~Session() = default;
+
+Session Session::create(const std::string& path, const SessionStart& start) {
+  SessionLock lock(path);
+  auto parts =
+      std::make_unique<Parts>(path, SessionAccess::Write, std::move(lock), Database(path, Database::Mode::Create));
+  parts->file = fileBehind(path);
+  SessionStore& store = parts->store;
+  transact(store, [&] {
+    createSessionTables(store.database());
+    if (start.profile) store.setProfileSource(*start.profile);
+    if (start.object != nullptr) store.setObject(*start.object);
+  });
+  parts->states.setProfile(start.profile);
+  AcquisitionState state;
+  state.profile = parts->states.profile();
+  state.settings = start.settings;
+  parts->add(ChangeSettings{start.settings}, std::move(state));
+  return Session(std::move(parts));
+}
+
+namespace {
+
+// A session that is opened for reading: what is damaged or of an earlier version is made good in memory.
+Database openedForReading(const std::string& path, std::vector<std::string>& losses) {
+  Database database(path, Database::Mode::Read);
+  const int version = checkSessionTables(database);
+  if (!database.sound()) {
+    Database copy = Database::inMemory(path);
+    losses = rescueRows(database, copy);
+    return copy;
+  }
+  if (version == kSessionSchema) return database;
+  Database copy = database.copyInMemory();
+  migrateSession(copy);
+  return copy;
+}
+
+// What of a sound database cannot be read.
+std::vector<std::string> damagedScans(SessionStore& store) {
+  std::vector<std::string> losses = store.history().losses;
+  for (std::int64_t number = 0; number < store.scanCount(); ++number) {
+    try {
+      static_cast<void>(store.scan(number));
+    } catch (const InvalidInput& e) {
+      losses.emplace_back(e.what());
+    }
+  }
+  return losses;
+}
+
+// Looks at a session before anything is written to it. One that is damaged is copied beside itself first.
+void prepareForWriting(const std::string& path, std::vector<std::string>& losses) {
+  bool sound = true;
+  {
+    Database database(path, Database::Mode::Read);
+    const int version = checkSessionTables(database);
+    sound = database.sound();
+    SessionStore store(std::move(database));
+    if (sound && (version != kSessionSchema || damagedScans(store).empty())) return;
+  }
+  const std::string copy = copyBeside(path);
+  losses.push_back(path + ": is damaged; before anything was written to it, it was copied to " + copy);
+  if (sound) return;
+  const std::vector<std::string> lost = rescueInPlace(path);
+  losses.insert(losses.end(), lost.begin(), lost.end());
+}
+
+}  // namespace
+
+Session Session::open(const std::string& path, SessionAccess access, const Progress& progress) {
+  if (!std::filesystem::is_regular_file(path)) throw IoError(path, "is no session: there is no such file");
+  std::vector<std::string> losses;
+  std::unique_ptr<Parts> parts;
+  if (access == SessionAccess::Read) {
+    Database database = openedForReading(path, losses);
+    parts = std::make_unique<Parts>(path, access, std::nullopt, std::move(database));
+  } else {
+    SessionLock lock(path);
+    prepareForWriting(path, losses);
+    progress.checkpoint(0.5);
+    Database database(path, Database::Mode::Write);
+    if (checkSessionTables(database) != kSessionSchema) migrateSession(database);
+    parts = std::make_unique<Parts>(path, access, std::move(lock), std::move(database));
+  }
+  parts->losses = std::move(losses);
+  parts->restore();
+  progress.checkpoint(1.0);
+  return Session(std::move(parts));
+}
+
+const std::string& Session::path() const {
+  return parts_->path;
+}
+
+std::vector<std::string> Session::losses() const {
+  const std::lock_guard guard(parts_->mutex);
+  return parts_->losses;
+}
+
+const History& Session::history() const {
+  return parts_->history;
+}
+
+std::shared_ptr<const AcquisitionState> Session::state() const {
+  return state(parts_->history.cursor());
+}
+
+std::shared_ptr<const AcquisitionState> Session::state(std::size_t index) const {
+  const std::lock_guard guard(parts_->mutex);
+  return parts_->history.state(index);
+}
+
+std::shared_ptr<const Model> Session::model(std::size_t index) const {
+  const std::lock_guard guard(parts_->mutex);
+  const HistoryEntry& entry = parts_->history.entry(index);
+  if (entry.outline->modelStep == 0) return nullptr;
+  if (auto model = parts_->states.model(entry.outline->modelStep)) return model;
+  return parts_->history.state(index)->model;
+}
+
+std::shared_ptr<const Plan> Session::plan(std::size_t index) const {
+  const std::lock_guard guard(parts_->mutex);
+  const StateOutline& outline = *parts_->history.entry(index).outline;
+  return outline.views.empty() ? nullptr : parts_->states.plan(outline.views.back().planStep);
+}
+
+std::int64_t Session::scanCount() const {
+  const std::lock_guard guard(parts_->mutex);
+  return parts_->store.scanCount();
+}
+
+std::shared_ptr<const RangeImage> Session::scan(std::int64_t number) const {
+  const std::lock_guard guard(parts_->mutex);
+  return parts_->states.scan(number);
+}
+
+std::shared_ptr<const ScannerProfile> Session::profile() const {
+  return parts_->states.profile();
+}
+
+Mesh Session::object(const Progress& progress) const {
+  std::unique_lock guard(parts_->mutex);
+  auto stored = parts_->store.object();
+  const AcquisitionSettings settings = parts_->history.current().outline->settings;
+  guard.unlock();
+  if (!stored) throw InvalidInput(path() + ": has no object that a simulated scanner could look at");
+  if (stored->mesh) return std::move(*stored->mesh);
+  const Placement placement = settings.placement == "fit" ? Placement::Fit : Placement::AsIs;
+  const LoadedMesh loaded = loadMesh(settings.object, {}, progress);
+  Mesh object = placed(loaded.mesh, computePlacement(loaded.mesh, placement, profile()->viewingVolume));
+  if (hashText(contentHash(object)) != stored->hash)
+    throw InvalidInput(settings.object + ": has changed since " + path() + " was begun, which needs it as it was");
+  return object;
+}
+
+std::int64_t Session::keepScan(const RangeImage& image) {
+  validate(image);
+  const std::lock_guard guard(parts_->mutex);
+  parts_->mustBeWritable();
+  std::int64_t number = 0;
+  transact(parts_->store, [&] { number = parts_->states.keep(image); });
+  parts_->mustBeInPlace();
+  return number;
+}
+
+std::optional<NumberedScan> Session::unusedScan() const {
+  const std::lock_guard guard(parts_->mutex);
+  const std::int64_t last = parts_->store.scanCount() - 1;
+  if (last < 0 || parts_->store.scanUsed(last)) return std::nullopt;
+  return NumberedScan{last, parts_->states.scan(last)};
+}
+
+void Session::record(const Command& command, AcquisitionState state) {
+  const std::lock_guard guard(parts_->mutex);
+  parts_->mustBeWritable();
+  parts_->add(command, std::move(state));
+  parts_->mustBeInPlace();
+}
+
+void Session::undo() {
+  parts_->move(&History::undo, &History::redo, "undo");
+}
+
+void Session::redo() {
+  parts_->move(&History::redo, &History::undo, "redo");
+}
+
+std::string Session::note(const std::string& key) const {
+  const std::lock_guard guard(parts_->mutex);
+  return parts_->store.meta("note:" + key);
+}
+
+void Session::setNote(const std::string& key, const std::string& text) {
+  const std::lock_guard guard(parts_->mutex);
+  parts_->mustBeWritable();
+  transact(parts_->store, [&] { parts_->store.setMeta("note:" + key, text); });
+}
+
+void Session::copyTo(const std::string& path) const {
+  const std::lock_guard guard(parts_->mutex);
+  parts_->store.database().copyTo(path);
+}
+
+}  // namespace vantage

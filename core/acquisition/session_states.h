@@ -1,0 +1,63 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "acquisition/history.h"
+#include "acquisition/session_store.h"
+
+namespace vantage {
+
+/// Builds the states of a session from the pieces in its file. A piece that somebody holds is handed out again, so that
+/// states share what did not change; one that nobody holds is not in memory. What is damaged is left out and named.
+class SessionStates {
+ public:
+  /// Both must outlive it.
+  SessionStates(SessionStore& store, std::vector<std::string>& losses) : store_(store), losses_(losses) {}
+
+  /// @throws InvalidInput when the profile cannot be read
+  void setProfile(const std::optional<ProfileSource>& source);
+  [[nodiscard]] const std::shared_ptr<const ScannerProfile>& profile() const { return profile_; }
+
+  /// The state after an entry of the history. A model that is not there is made again from the steps before it.
+  [[nodiscard]] AcquisitionState state(const History& history, const HistoryEntry& entry);
+
+  /// @throws InvalidInput when there is none or it is damaged
+  [[nodiscard]] std::shared_ptr<const RangeImage> scan(std::int64_t number);
+  /// Null when it is not there or damaged.
+  [[nodiscard]] std::shared_ptr<const Model> model(std::int64_t step);
+  [[nodiscard]] std::shared_ptr<const Plan> plan(std::int64_t step);
+
+  /// Writes a scan. @return its number
+  [[nodiscard]] std::int64_t keep(const RangeImage& image);
+
+  /// What a state that follows another consists of, and which of it is new.
+  [[nodiscard]] StateOutline outline(const AcquisitionState& state, const StateOutline& before, std::int64_t step);
+  /// The pieces of a state that was just written.
+  void remember(const StateOutline& outline, const AcquisitionState& state);
+
+ private:
+  [[nodiscard]] std::shared_ptr<const RayGrid> raysOf(std::int64_t id);
+  [[nodiscard]] bool fits(const Plan& plan) const;
+  [[nodiscard]] OutlinedView outlined(const ViewRecord& record, const Pose& pose, const StateOutline& before,
+                                      std::int64_t step);
+  [[nodiscard]] std::shared_ptr<const Model> modelOf(const AcquisitionState& state, const History& history,
+                                                     const HistoryEntry& entry);
+  [[nodiscard]] std::shared_ptr<const Model> replayedModel(const AcquisitionState& state, const History& history,
+                                                           std::int64_t step);
+  void lose(const std::string& sentence);
+
+  SessionStore& store_;
+  std::vector<std::string>& losses_;
+  std::shared_ptr<const ScannerProfile> profile_;
+  std::map<std::int64_t, std::weak_ptr<const RangeImage>> scans_;
+  std::map<std::int64_t, std::weak_ptr<const ViewMesh>> meshes_;
+  std::map<std::int64_t, std::weak_ptr<const RayGrid>> rays_;
+  std::map<std::int64_t, std::weak_ptr<const Model>> models_;
+  std::map<std::int64_t, std::weak_ptr<const Plan>> plans_;
+};
+
+}  // namespace vantage
