@@ -35,6 +35,9 @@ struct ScannerPicture {
   [[nodiscard]] std::size_t count(RaySight wanted) const;
 };
 
+/// Void patches as a mesh: triangles 2 p and 2 p + 1 are patch p.
+[[nodiscard]] Mesh patchMesh(const VoidSurface& voids);
+
 /// Follows every ranging ray from a position to the model and its void patches.
 /// @param voids null: without void
 /// @throws InvalidInput for a position that the workspace does not have; Cancelled

@@ -1,10 +1,10 @@
 #pragma once
 
+#include <QStringList>
 #include <cstdint>
-#include <memory>
 #include <vector>
 
-#include "layers/view_snapshot.h"
+#include "layers/cell_field.h"
 
 namespace vantage {
 
@@ -12,7 +12,7 @@ namespace vantage {
 /// row * columns + column. Immutable.
 class PositionalLinks {
  public:
-  /// The snapshot's plan images must keep the sightings of the void.
+  /// @param planImages of those scanner images; its void image keeps its sightings.
   PositionalLinks(const ScannerImages& scannerImages, const PlanImages& planImages);
 
   [[nodiscard]] std::vector<std::uint32_t> patchesThrough(std::uint32_t surfaceCell) const;  ///< ascending
@@ -20,15 +20,18 @@ class PositionalLinks {
 
  private:
   struct Link {
-    std::uint32_t cell;
-    std::uint32_t patch;
+    std::uint32_t from;
+    std::uint32_t to;
     auto operator<=>(const Link&) const = default;
   };
-  std::vector<Link> byCell_;
-  std::vector<Link> byPatch_;
+  [[nodiscard]] static std::vector<std::uint32_t> linked(const std::vector<Link>& links, std::uint32_t from);
+
+  std::vector<Link> patchesOfCell_;
+  std::vector<Link> cellsOfPatch_;
 };
 
-/// What hovering over a cell tells: where it is, its value, and in which directions positions look through it.
-[[nodiscard]] QString describeCell(const ViewSnapshot& snapshot, const struct CellField& field, int row, int column);
+/// What hovering over a cell tells, a line each: where it is and its value; in which directions rays of how many
+/// positions leave through it.
+[[nodiscard]] QStringList describeCell(const ViewSnapshot& snapshot, const CellField& field, int row, int column);
 
 }  // namespace vantage

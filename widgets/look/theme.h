@@ -27,6 +27,11 @@ struct Theme {
 [[nodiscard]] const Theme& lightTheme();
 [[nodiscard]] const Theme& darkTheme();
 
+[[nodiscard]] inline Rgb toRgb(const QColor& colour) {
+  return {static_cast<std::uint8_t>(colour.red()), static_cast<std::uint8_t>(colour.green()),
+          static_cast<std::uint8_t>(colour.blue())};
+}
+
 [[nodiscard]] inline QColor toColour(const Rgb& colour) {
   return {colour[0], colour[1], colour[2]};
 }

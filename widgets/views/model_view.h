@@ -11,6 +11,8 @@
 
 namespace vantage {
 
+class GeometryLoader;
+class GeometryStore;
 class ModelScene;
 struct ModelGeometry;
 
@@ -20,7 +22,9 @@ class ModelView final : public SceneView {
   Q_OBJECT
 
  public:
-  explicit ModelView(const SurfaceMaker& surfaces, QWidget* parent = nullptr);
+  /// @param store shared with other views that draw the same models; null for one of its own
+  explicit ModelView(const SurfaceMaker& surfaces, QWidget* parent = nullptr,
+                     std::shared_ptr<GeometryStore> store = nullptr);
   ~ModelView() override;
 
   void setSnapshot(const SharedSnapshot& snapshot);
@@ -45,17 +49,16 @@ class ModelView final : public SceneView {
  protected:
   void picked(const SightLine& line) override;
   void hovered(const SightLine& line) override;
+  void hoverLeft() override;
   void movingChanged(bool moving) override;
   [[nodiscard]] Vec3 centreOf(const SightLine& line) const override;
 
  private:
-  class Loader;
-
-  void showGeometry(const std::shared_ptr<const ModelGeometry>& geometry);
+  void show(const SharedSnapshot& snapshot, const std::shared_ptr<const ModelGeometry>& geometry);
   void refresh();
 
   std::unique_ptr<ModelScene> scene_;
-  std::unique_ptr<Loader> loader_;
+  std::unique_ptr<GeometryLoader> loader_;
   bool fitted_ = false;
 };
 

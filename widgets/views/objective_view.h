@@ -16,7 +16,7 @@ class ObjectiveView final : public QWidget {
   explicit ObjectiveView(QWidget* parent = nullptr);
 
   void setSnapshot(const SharedSnapshot& snapshot);
-  void setStyle(ObjectiveStyle style);
+  void setChartStyle(ObjectiveStyle style);
   [[nodiscard]] ObjectiveStyle chartStyle() const { return style_; }
   /// The position that is marked as asked about; -1 for none.
   void examine(int position);
@@ -37,7 +37,8 @@ class ObjectiveView final : public QWidget {
   void keyPressEvent(QKeyEvent* event) override;
 
  private:
-  SharedSnapshot snapshot_;
+  void pointAt(int position);
+
   ObjectiveChartData data_;
   ObjectiveStyle style_ = ObjectiveStyle::Dial;
   int hovered_ = -1;

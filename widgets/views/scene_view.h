@@ -42,6 +42,7 @@ class SceneView : public QWidget {
 
   virtual void picked(const SightLine& line) = 0;
   virtual void hovered(const SightLine& line) = 0;
+  virtual void hoverLeft() = 0;
   virtual void movingChanged(bool moving) = 0;                           ///< the camera begins or ends to move
   [[nodiscard]] virtual Vec3 centreOf(const SightLine& line) const = 0;  ///< what a double click turns about
 
@@ -51,7 +52,9 @@ class SceneView : public QWidget {
   void mouseReleaseEvent(QMouseEvent* event) override;
   void mouseDoubleClickEvent(QMouseEvent* event) override;
   void wheelEvent(QWheelEvent* event) override;
+  void leaveEvent(QEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
+  void timerEvent(QTimerEvent* event) override;
 
  private:
   class OverlayWidget;
@@ -59,7 +62,7 @@ class SceneView : public QWidget {
   [[nodiscard]] SightLine lineAt(const QPointF& point) const;
   void beginMoving();
   void endMoving();
-  void turn(const QPointF& pixels, Motion motion);
+  void apply(const Camera& camera);
 
   Scene* scene_ = nullptr;
   std::unique_ptr<RenderSurface> surface_;
@@ -72,8 +75,6 @@ class SceneView : public QWidget {
   bool dragged_ = false;
   bool moving_ = false;
   int restTimer_ = 0;
-
-  void timerEvent(QTimerEvent* event) override;
 };
 
 }  // namespace vantage

@@ -42,6 +42,7 @@ class UnrolledMapView final : public QWidget {
 
  private:
   void refresh();
+  void moveTo(int row, int column);  // points, and tells other views
 
   SharedSnapshot snapshot_;
   PositionalViewOptions options_;

@@ -23,7 +23,7 @@ class Scene {
   Scene(const Scene&) = delete;
   Scene& operator=(const Scene&) = delete;
 
-  [[nodiscard]] vtkRenderer& renderer() { return *renderer_; }
+  [[nodiscard]] vtkRenderer& renderer();
 
   void add(vtkProp& prop);
   /// Adds an actor of lines, `width` device-independent pixels wide.
