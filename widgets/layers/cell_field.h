@@ -29,8 +29,8 @@ struct DirectionWindow {
 /// What of positional space is shown.
 struct PositionalViewOptions {
   PositionalImageKind kind = PositionalImageKind::Void;
-  std::optional<DirectionWindow> direction;  ///< unset: summed over all directions
-  std::optional<int> position;               ///< of P_c^i; unset: all positions
+  std::optional<DirectionWindow> direction = std::nullopt;  ///< unset: summed over all directions
+  std::optional<int> position = std::nullopt;              ///< of P_c^i; unset: all positions
   bool legends = true;
 
   bool operator==(const PositionalViewOptions&) const = default;

@@ -37,7 +37,8 @@ std::vector<std::uint32_t> originsOf(const Mesh& coarse, const Mesh& fine) {
 
 vtkSmartPointer<vtkPolyData> boundaryLines(const Mesh& mesh) {
   std::vector<std::array<Vec3, 2>> lines;
-  for (const BoundaryEdge& edge : MeshTopology(mesh).boundaryEdges())
+  const MeshTopology topology(mesh);
+  for (const BoundaryEdge& edge : topology.boundaryEdges())
     lines.push_back({mesh.vertices[edge.from], mesh.vertices[edge.to]});
   return toSegments(lines);
 }

@@ -1,53 +1,53 @@
 #include <GL/osmesa.h>
 
+#include <array>
 #include <cstring>
+#include <utility>
 
-// GLEW, which VTK loads OpenGL with, asks GLX for the functions of OpenGL. A program that exports these two gives it
-// those of OSMesa instead, and answers what GLEW wants to know of GLX itself as a server without extensions would.
-namespace {
+// GLEW, which VTK loads OpenGL with, asks GLX for the functions of OpenGL. A program that exports the functions below
+// gives it those of OSMesa instead, and answers what GLEW wants to know of GLX itself as a server without extensions
+// would: some of it GLEW calls by name, some by address.
 
-using Function = void (*)();
+// NOLINTBEGIN(readability-identifier-naming): the names are those of GLX
+extern "C" {
 
-void* currentDisplay() {
+using GlxFunction = void (*)();
+
+void* glXGetCurrentDisplay() {
   static int display = 0;
   return &display;
 }
 
-int queryVersion(void*, int* major, int* minor) {
+int glXQueryVersion(void*, int* major, int* minor) {
   *major = 1;
   *minor = 4;
   return 1;
 }
 
-const char* clientString(void*, int) {
+const char* glXGetClientString(void*, int) {
   return "";
 }
 
-const char* extensionsString(void*, int) {
+const char* glXQueryExtensionsString(void*, int) {
   return "";
 }
 
-Function lookUp(const char* name) {
+GlxFunction glXGetProcAddressARB(const unsigned char* functionName) {
+  const std::array<std::pair<const char*, GlxFunction>, 4> ours{
+      {{"glXGetCurrentDisplay", reinterpret_cast<GlxFunction>(&glXGetCurrentDisplay)},
+       {"glXQueryVersion", reinterpret_cast<GlxFunction>(&glXQueryVersion)},
+       {"glXGetClientString", reinterpret_cast<GlxFunction>(&glXGetClientString)},
+       {"glXQueryExtensionsString", reinterpret_cast<GlxFunction>(&glXQueryExtensionsString)}}};
+  const auto* name = reinterpret_cast<const char*>(functionName);
   if (std::strncmp(name, "glX", 3) != 0) return OSMesaGetProcAddress(name);
-  if (std::strcmp(name, "glXGetCurrentDisplay") == 0) return reinterpret_cast<Function>(&currentDisplay);
-  if (std::strcmp(name, "glXQueryVersion") == 0) return reinterpret_cast<Function>(&queryVersion);
-  if (std::strcmp(name, "glXGetClientString") == 0) return reinterpret_cast<Function>(&clientString);
-  if (std::strcmp(name, "glXQueryExtensionsString") == 0) return reinterpret_cast<Function>(&extensionsString);
+  for (const auto& [known, function] : ours)
+    if (std::strcmp(name, known) == 0) return function;
   return nullptr;
 }
 
-}  // namespace
-
-extern "C" {
-
-// NOLINTNEXTLINE(readability-identifier-naming): the name is GLX's
-Function glXGetProcAddressARB(const unsigned char* name) {
-  return lookUp(reinterpret_cast<const char*>(name));
-}
-
-// NOLINTNEXTLINE(readability-identifier-naming): the name is GLX's
-Function glXGetProcAddress(const unsigned char* name) {
-  return lookUp(reinterpret_cast<const char*>(name));
+GlxFunction glXGetProcAddress(const unsigned char* functionName) {
+  return glXGetProcAddressARB(functionName);
 }
 
 }  // extern "C"
+// NOLINTEND(readability-identifier-naming)

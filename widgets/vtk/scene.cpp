@@ -1,6 +1,7 @@
 #include "vtk/scene.h"
 
 #include <vtkActor.h>
+#include <vtkAutoInit.h>
 #include <vtkCamera.h>
 #include <vtkLight.h>
 #include <vtkProperty.h>
@@ -8,6 +9,9 @@
 
 #include <algorithm>
 #include <array>
+
+// Without it VTK makes renderers and mappers that draw nothing.
+VTK_MODULE_INIT(vtkRenderingOpenGL2)
 
 namespace vantage {
 namespace {
