@@ -28,6 +28,8 @@ int run(int argc, char** argv) {
   vantage::addExportCommand(app, context);
   vantage::addInfoCommand(app, context);
   vantage::addEvaluateCommand(app, context);
+  vantage::addRenderCommand(app, context);
+  vantage::addReportCommand(app, context);
   try {
     app.parse(argc, argv);
     return kDone;

@@ -39,6 +39,17 @@ Mesh transformed(const Mesh& mesh, const Pose& T_target_mesh) {
   return result;
 }
 
+Mesh quadMesh(std::span<const std::array<Vec3, 4>> quads) {
+  Mesh mesh;
+  for (const auto& quad : quads) {
+    const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+    mesh.vertices.insert(mesh.vertices.end(), quad.begin(), quad.end());
+    mesh.triangles.push_back({first, first + 1, first + 2});
+    mesh.triangles.push_back({first, first + 2, first + 3});
+  }
+  return mesh;
+}
+
 std::vector<std::uint32_t> removeUnusedVertices(Mesh& mesh) {
   std::vector<std::uint32_t> newIndex(mesh.vertices.size(), kNoIndex);
   for (const Triangle& t : mesh.triangles)

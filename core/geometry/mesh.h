@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "geometry/vectors.h"
@@ -46,6 +47,9 @@ void validate(const Mesh& mesh);
 
 /// The mesh moved by a rigid motion.
 [[nodiscard]] Mesh transformed(const Mesh& mesh, const Pose& T_target_mesh);
+
+/// Separate quads as a mesh: triangles 2 i and 2 i + 1 are quad i.
+[[nodiscard]] Mesh quadMesh(std::span<const std::array<Vec3, 4>> quads);
 
 /// Drops vertices that no triangle uses, keeping the order of the others.
 /// @return for every old vertex its new index, or kNoIndex.

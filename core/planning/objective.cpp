@@ -1,6 +1,7 @@
 #include "planning/objective.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "planning/patch_promise.h"
 #include "positional_space/objective_sums.h"
@@ -16,9 +17,11 @@ AccumulationOptions accumulation(const ObjectiveOptions& options, bool keepSight
   return result;
 }
 
-// Adds what the patches give to every position, direction by direction.
-void addPatches(std::span<const VoidPatch> patches, const PatchHistory& history, const PositionalImage& image,
-                const ScannerImages& images, const ObjectiveOptions& options, std::vector<double>& sums) {
+// Tells `add` what the patches that attract views give to every cell they are seen through [mm^2], direction by
+// direction.
+template <typename Add>
+void forEachContribution(std::span<const VoidPatch> patches, const PatchHistory& history, const PositionalImage& image,
+                         const ScannerImages& images, const ObjectiveOptions& options, const Add& add) {
   for (std::size_t p = 0; p < patches.size(); ++p) {
     for (const auto& sighting : image.sightingsOf(p)) {
       const OutwardRay cellRay = images.ray(sighting.cell);
@@ -26,9 +29,18 @@ void addPatches(std::span<const VoidPatch> patches, const PatchHistory& history,
       if (!history.attracts(p, static_cast<double>(sighting.confidence))) continue;
       double area = patches[p].weight * static_cast<double>(sighting.confidence);
       if (options.lookAhead) area *= lookAhead(patches[p], direction, options.breakdownAngle);
-      for (const int position : images.positionsOf(sighting.cell)) sums[static_cast<std::size_t>(position)] += area;
+      add(sighting.cell, area);
     }
   }
+}
+
+PositionalImage sightingsOf(std::span<const VoidPatch> patches, const PatchHistory& history, const RayCaster& obstacles,
+                            const ScannerImages& images, const ObjectiveOptions& options, const Progress& progress) {
+  std::vector<ObservationSource> sources;
+  sources.reserve(patches.size());
+  for (std::size_t p = 0; p < patches.size(); ++p)
+    sources.push_back({patches[p].centre, patches[p].normal, history.answered(p) ? 0.0 : patches[p].weight});
+  return accumulate(sources, obstacles, images, options.breakdownAngle, accumulation(options, true), progress);
 }
 
 // Triangles sampled with less confidence than u: c(T) is the least of their vertices.
@@ -43,14 +55,12 @@ std::vector<ObservationSource> poorTriangles(const Model& model, double toleranc
   return sources;
 }
 
-void addPoorTriangles(const Model& model, const RayCaster& obstacles, const ScannerImages& images,
-                      const ObjectiveOptions& options, const Progress& progress, std::vector<double>& sums) {
+PositionalImage poorTrianglesImage(const Model& model, const RayCaster& obstacles, const ScannerImages& images,
+                                   const ObjectiveOptions& options, const Progress& progress) {
   const auto sources = poorTriangles(model, options.tolerance);
   // Rays that would not reach the tolerance are not worth tracing: a narrower breakdown angle leaves them out.
   const double angle = std::min(options.breakdownAngle, std::acos(std::clamp(options.tolerance, 0.0, 1.0)));
-  const auto image = accumulate(sources, obstacles, images, angle, accumulation(options, false), progress);
-  const auto areas = intersect(image, images);
-  for (std::size_t i = 0; i < sums.size(); ++i) sums[i] += areas[i];
+  return accumulate(sources, obstacles, images, angle, accumulation(options, false), progress);
 }
 
 }  // namespace
@@ -58,28 +68,46 @@ void addPoorTriangles(const Model& model, const RayCaster& obstacles, const Scan
 std::vector<double> voidObjective(std::span<const VoidPatch> patches, const PatchHistory& history, const Model& model,
                                   const RayCaster& obstacles, const ScannerImages& images,
                                   const ObjectiveOptions& options, const Progress& progress) {
-  std::vector<ObservationSource> sources;
-  sources.reserve(patches.size());
-  for (std::size_t p = 0; p < patches.size(); ++p)
-    sources.push_back({patches[p].centre, patches[p].normal, history.answered(p) ? 0.0 : patches[p].weight});
   std::vector<double> sums(static_cast<std::size_t>(images.positions()), 0.0);
-  const auto image = accumulate(sources, obstacles, images, options.breakdownAngle, accumulation(options, true),
-                                progress.part(0.0, options.tolerance > 0.0 ? 0.5 : 1.0));
-  addPatches(patches, history, image, images, options, sums);
-  if (options.tolerance > 0.0) addPoorTriangles(model, obstacles, images, options, progress.part(0.5, 1.0), sums);
+  const auto image = sightingsOf(patches, history, obstacles, images, options,
+                                 progress.part(0.0, options.tolerance > 0.0 ? 0.5 : 1.0));
+  forEachContribution(patches, history, image, images, options, [&](std::uint32_t cell, double area) {
+    for (const int position : images.positionsOf(cell)) sums[static_cast<std::size_t>(position)] += area;
+  });
+  if (options.tolerance > 0.0) {
+    const auto poor = intersect(poorTrianglesImage(model, obstacles, images, options, progress.part(0.5, 1.0)), images);
+    for (std::size_t i = 0; i < sums.size(); ++i) sums[i] += poor[i];
+  }
   return sums;
+}
+
+PositionalImage voidImage(std::span<const VoidPatch> patches, const PatchHistory& history, const Model& model,
+                          const RayCaster& obstacles, const ScannerImages& images, const ObjectiveOptions& options,
+                          const Progress& progress) {
+  PositionalImage image = sightingsOf(patches, history, obstacles, images, options,
+                                      progress.part(0.0, options.tolerance > 0.0 ? 0.5 : 1.0));
+  std::fill(image.sums.begin(), image.sums.end(), 0);
+  if (options.tolerance > 0.0)
+    image.sums = poorTrianglesImage(model, obstacles, images, options, progress.part(0.5, 1.0)).sums;
+  forEachContribution(patches, history, image, images, options, [&](std::uint32_t cell, double area) {
+    image.sums[cell] += std::llround(area / PositionalImage::kUnit);
+  });
+  return image;
+}
+
+PositionalImage overlapImage(std::span<const SurfaceElement> seen, const RayCaster& obstacles,
+                             const ScannerImages& images, const ObjectiveOptions& options, const Progress& progress) {
+  std::vector<ObservationSource> sources;
+  sources.reserve(seen.size());
+  for (const SurfaceElement& e : seen)
+    if (!e.normal.isZero()) sources.push_back({e.centre, e.normal, e.area});
+  return accumulate(sources, obstacles, images, options.breakdownAngle, accumulation(options, false), progress);
 }
 
 std::vector<double> overlapObjective(std::span<const SurfaceElement> seen, const RayCaster& obstacles,
                                      const ScannerImages& images, const ObjectiveOptions& options,
                                      const Progress& progress) {
-  std::vector<ObservationSource> sources;
-  sources.reserve(seen.size());
-  for (const SurfaceElement& e : seen)
-    if (!e.normal.isZero()) sources.push_back({e.centre, e.normal, e.area});
-  const auto image =
-      accumulate(sources, obstacles, images, options.breakdownAngle, accumulation(options, false), progress);
-  return intersect(image, images);
+  return intersect(overlapImage(seen, obstacles, images, options, progress), images);
 }
 
 }  // namespace vantage

@@ -9,6 +9,7 @@
 #include "planning/candidate_tracing.h"
 #include "planning/patch_outlook.h"
 #include "planning/plan.h"
+#include "positional_space/positional_image.h"
 #include "positional_space/scanner_images.h"
 
 namespace vantage {
@@ -32,5 +33,14 @@ struct ObjectiveOptions {
 [[nodiscard]] std::vector<double> overlapObjective(std::span<const SurfaceElement> seen, const RayCaster& obstacles,
                                                    const ScannerImages& images, const ObjectiveOptions& options,
                                                    const Progress& progress);
+
+/// P_v and P_s, the images that the two objectives are sums over, to be looked at: their intersections with P_c^i are
+/// o_v(i), to within the unit of an image per sighting, and o_s(i). The first keeps the sightings of the patches.
+[[nodiscard]] PositionalImage voidImage(std::span<const VoidPatch> patches, const PatchHistory& history,
+                                        const Model& model, const RayCaster& obstacles, const ScannerImages& images,
+                                        const ObjectiveOptions& options, const Progress& progress);
+[[nodiscard]] PositionalImage overlapImage(std::span<const SurfaceElement> seen, const RayCaster& obstacles,
+                                           const ScannerImages& images, const ObjectiveOptions& options,
+                                           const Progress& progress);
 
 }  // namespace vantage

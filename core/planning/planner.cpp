@@ -14,6 +14,7 @@
 #include "planning/certificate.h"
 #include "planning/choice.h"
 #include "planning/objective.h"
+#include "planning/plan_images.h"
 #include "planning/void_extent.h"
 #include "registration/motion_information.h"
 #include "void_space/void_patch_builder.h"
@@ -94,10 +95,7 @@ class Planning {
     const Mesh mesh = planningMesh(input_.model, options_, voidProgress.part(0.5, 0.8));
     const RayCaster obstacles(mesh);
     const SightTest sight(input_.profile, obstacles, sight_);
-    SightOptions grazing = sight_;
-    grazing.breakdownAngle = kGrazingAngle;
-    const PatchHistory history(patches, input_.views, SightTest(input_.profile, obstacles, grazing),
-                               input_.profile.breakdownAngle, options_.outlook, voidProgress.part(0.8, 1.0));
+    const PatchHistory history = historyOf(patches, obstacles, voidProgress.part(0.8, 1.0));
 
     const auto voidAreas = voidObjective(patches, history, input_.model, obstacles, input_.images, objective_,
                                          progress.part(0.25, 0.45, "project_void"));
@@ -115,7 +113,28 @@ class Planning {
     return plan;
   }
 
+  PlanImages images(const VoidSurface& voids, const Progress& progress) const {
+    const Mesh mesh = planningMesh(input_.model, options_, progress.part(0.0, 0.3));
+    const RayCaster obstacles(mesh);
+    const PatchHistory history = historyOf(voids.patches, obstacles, progress.part(0.3, 0.4));
+    PlanImages result;
+    result.voids =
+        voidImage(voids.patches, history, input_.model, obstacles, input_.images, objective_, progress.part(0.4, 0.7));
+    result.seen = overlapImage(surfaceElements(withoutBorder(mesh), options_.planningTriangles), obstacles,
+                               input_.images, objective_, progress.part(0.7, 1.0));
+    return result;
+  }
+
  private:
+  [[nodiscard]] PatchHistory historyOf(std::span<const VoidPatch> patches, const RayCaster& obstacles,
+                                       const Progress& progress) const {
+    SightOptions grazing = sight_;
+    grazing.breakdownAngle = kGrazingAngle;
+    return {
+        patches,          input_.views, SightTest(input_.profile, obstacles, grazing), input_.profile.breakdownAngle,
+        options_.outlook, progress};
+  }
+
   // A second scan from the same place finds what the first one found.
   [[nodiscard]] bool taken(int position) const {
     return std::any_of(input_.views.begin(), input_.views.end(),
@@ -239,6 +258,12 @@ class Planning {
 };
 
 }  // namespace
+
+PlanImages computePlanImages(const PlanInput& input, const VoidSurface& voids, const PlannerOptions& options,
+                             const Progress& progress) {
+  if (input.views.empty()) throw InvalidInput("the images of a plan need at least one view");
+  return Planning(input, options).images(voids, progress);
+}
 
 Plan planNextView(const PlanInput& input, const PlannerOptions& options, const Progress& progress) {
   if (input.views.empty()) throw InvalidInput("a next best view needs at least one view to go on from");

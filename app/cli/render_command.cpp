@@ -1,0 +1,165 @@
+#include <QGuiApplication>
+#include <array>
+#include <memory>
+#include <optional>
+
+#include "base/errors.h"
+#include "charts/objective_chart.h"
+#include "cli/cache_directory.h"
+#include "cli/command.h"
+#include "cli/open_session.h"
+#include "osmesa/osmesa_window.h"
+#include "planning/plan_images.h"
+#include "positional_space/scanner_images_cache.h"
+#include "scenes/model_scene.h"
+#include "scenes/positional_scene.h"
+
+namespace vantage {
+namespace {
+
+struct RenderArguments {
+  std::string session;
+  std::string view = "model";
+  std::optional<int> step;
+  std::string out;
+  std::string size = "1280x800";
+  bool dark = false;
+};
+
+constexpr int kLargestSide = 8192;
+const std::vector<std::string> kViews{"model", "void", "ps-void", "ps-seen", "ps-scanner", "objective"};
+
+QSize parseSize(const std::string& text) {
+  int width = 0;
+  int height = 0;
+  char rest = 0;
+  const bool numbers = std::sscanf(text.c_str(), "%dx%d%c", &width, &height, &rest) == 2;
+  if (!numbers || width < 64 || height < 64 || width > kLargestSide || height > kLargestSide)
+    throw InvalidInput("--size is \"" + text + "\", expected WIDTHxHEIGHT with sides from 64 to " +
+                       std::to_string(kLargestSide));
+  return {width, height};
+}
+
+// The last state of the history that has so many views; without a step that at the cursor.
+std::shared_ptr<const AcquisitionState> stateAt(const Session& session, const RenderArguments& args) {
+  const History& history = session.history();
+  if (!args.step) return session.state();
+  for (std::size_t k = history.cursor() + 1; k-- > 0;)
+    if (static_cast<int>(history.entry(k).outline->views.size()) == *args.step) return session.state(k);
+  throw InvalidInput("--step is " + std::to_string(*args.step) + ", " + args.session + " has steps 0 to " +
+                     std::to_string(history.current().outline->views.size()));
+}
+
+// What the views need, as far as the view that is asked for needs it.
+SharedSnapshot snapshotFor(const RenderArguments& args, const Session& session, CommandContext& context) {
+  const auto state = stateAt(session, args);
+  const bool positional = args.view.starts_with("ps-");
+  if (positional && !state->profile)
+    throw InvalidInput(args.session + ": holds recorded scans without a scanner profile, --view " + args.view +
+                       " needs one");
+  if (!state->model) return makeSnapshot(state);
+  const bool needsPlan = state->profile != nullptr && args.view != "model" && args.view != "ps-scanner";
+  const bool needsImages = positional || (needsPlan && !currentPlan(*state));
+  std::shared_ptr<const ScannerImages> images;
+  if (needsImages)
+    images = std::make_shared<const ScannerImages>(loadScannerImages(
+        *state->profile, cacheDirectory(), context.progress().part(0.2, 0.3, "positional space of the scanner")));
+  auto plan = currentPlan(*state);
+  if (needsPlan && !plan)
+    plan = std::make_shared<const Plan>(
+        planAfter(*state, *images, stepOptionsFor(*state), context.progress().part(0.3, 0.6)));
+  std::shared_ptr<const PlanImages> planImages;
+  if (args.view == "ps-void" || args.view == "ps-seen")
+    planImages = std::make_shared<const PlanImages>(
+        computePlanImages({*state->profile, *images, *state->model, state->views, -1}, *plan->voids,
+                          stepOptionsFor(*state).planner, context.progress().part(0.6, 0.9, "project")));
+  auto snapshot = std::make_shared<ViewSnapshot>(*makeSnapshot(state, images, planImages));
+  snapshot->plan = plan;
+  return snapshot;
+}
+
+std::shared_ptr<const ModelGeometry> geometryOf(const ViewSnapshot& snapshot) {
+  return snapshot.state->model ? prepareModelGeometry(snapshot.state->model) : nullptr;
+}
+
+QImage modelPicture(const RenderArguments& args, const SharedSnapshot& snapshot, const QSize& size,
+                    const Theme& theme) {
+  ModelScene scene;
+  ModelViewOptions options;
+  options.voidPatches = args.view == "void";
+  options.voidColouring = snapshot->proposed() >= 0 ? VoidColouring::EdgeClass : VoidColouring::State;
+  scene.setTheme(theme);
+  scene.setOptions(options);
+  scene.set(snapshot, geometryOf(*snapshot));
+  scene.scene().setCamera(
+      scene.camera(CameraPreset::Oblique, static_cast<double>(size.width()) / static_cast<double>(size.height())));
+  return makePicture(scene.scene(), scene.overlay(), theme, *osmesaWindows()(), size, 1.0);
+}
+
+QImage positionalPicture(const RenderArguments& args, const SharedSnapshot& snapshot, const QSize& size,
+                         const Theme& theme) {
+  PositionalScene scene;
+  PositionalViewOptions options;
+  if (args.view == "ps-seen") options.kind = PositionalImageKind::Seen;
+  if (args.view == "ps-scanner") {
+    options.kind = PositionalImageKind::Scanner;
+    const int position = snapshot->proposed() >= 0 ? snapshot->proposed() : snapshot->current();
+    if (position >= 0) options.position = position;
+  }
+  scene.setTheme(theme);
+  scene.setOptions(options);
+  scene.set(snapshot, geometryOf(*snapshot));
+  scene.scene().setCamera(
+      scene.camera(CameraPreset::Oblique, static_cast<double>(size.width()) / static_cast<double>(size.height())));
+  return makePicture(scene.scene(), scene.overlay(), theme, *osmesaWindows()(), size, 1.0);
+}
+
+QImage objectivePicture(const SharedSnapshot& snapshot, const QSize& size, const Theme& theme) {
+  QImage image(size, QImage::Format_RGB888);
+  QPainter painter(&image);
+  const auto data = objectiveChartData(*snapshot);
+  const QRectF area(0.0, 0.0, size.width(), size.height());
+  const double half = 0.5 * area.width();
+  paintObjective(painter, area.adjusted(0.0, 0.0, -half, 0.0), data, ObjectiveStyle::Dial, {}, theme);
+  paintObjective(painter, area.adjusted(half, 0.0, 0.0, 0.0), data, ObjectiveStyle::Bars, {}, theme);
+  return image;
+}
+
+void run(const RenderArguments& args, CommandContext& context) {
+  const QSize size = parseSize(args.size);
+  const Theme& theme = args.dark ? darkTheme() : lightTheme();
+  const Session session = openSession(args.session, SessionAccess::Read, context);
+  const SharedSnapshot snapshot = snapshotFor(args, session, context);
+  // Text needs an application of Qt; this one wants no display.
+  qputenv("QT_QPA_PLATFORM", "offscreen");
+  int count = 1;
+  std::array<char, 12> name{"vantage-cli"};
+  char* arguments = name.data();
+  const QGuiApplication application(count, &arguments);
+  QImage picture;
+  if (args.view == "objective")
+    picture = objectivePicture(snapshot, size, theme);
+  else if (args.view.starts_with("ps-"))
+    picture = positionalPicture(args, snapshot, size, theme);
+  else
+    picture = modelPicture(args, snapshot, size, theme);
+  if (!picture.save(QString::fromStdString(args.out), "PNG")) throw IoError(args.out, "the picture cannot be written");
+  context.result({{"file", args.out}, {"width", size.width()}, {"height", size.height()}}, args.out + "\n");
+}
+
+}  // namespace
+
+void addRenderCommand(CLI::App& app, CommandContext& context) {
+  auto args = std::make_shared<RenderArguments>();
+  CLI::App* command = app.add_subcommand("render", "Draw a view of a session as a PNG picture, without a display");
+  command->add_option("session", args->session, "Session file")->required();
+  command->add_option("--view", args->view, "What to draw")->check(CLI::IsMember(kViews))->capture_default_str();
+  command->add_option("--step", args->step, "The session as it was after so many views; the last by default");
+  command->add_option("--out", args->out, "PNG file to write")->required();
+  command->add_option("--size", args->size, "Width and height in pixels")->capture_default_str();
+  command->add_flag("--dark", args->dark, "Draw in the dark theme");
+  context.addCommonOptions(*command);
+  command->callback([args, &context] { run(*args, context); });
+}
+
+}  // namespace vantage

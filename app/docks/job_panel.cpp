@@ -1,0 +1,69 @@
+#include "docks/job_panel.h"
+
+#include <QCoreApplication>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QProgressBar>
+#include <QToolButton>
+#include <utility>
+
+namespace vantage {
+
+QString stepText(const QString& step) {
+  static constexpr std::pair<const char*, const char*> kTexts[] = {{"scan", "scanning"},
+                                                                   {"register", "registering"},
+                                                                   {"integrate", "merging"},
+                                                                   {"void_patches", "finding what is unseen"},
+                                                                   {"project_void", "projecting what is unseen"},
+                                                                   {"project_seen", "projecting what was seen"},
+                                                                   {"choose", "choosing the next view"}};
+  for (const auto& [key, text] : kTexts)
+    if (step == QLatin1String(key)) return QCoreApplication::translate("JobPanel", text);
+  return step;
+}
+
+JobPanel::JobPanel(JobRunner& jobs, QWidget* parent)
+    : QWidget(parent), jobs_(jobs), text_(new QLabel), bar_(new QProgressBar), cancel_(new QToolButton) {
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(6, 2, 6, 2);
+  row->addWidget(text_, 1);
+  row->addWidget(bar_);
+  row->addWidget(cancel_);
+  bar_->setRange(0, 1000);
+  bar_->setFixedWidth(220);
+  bar_->setTextVisible(false);
+  bar_->setAccessibleName(tr("Progress"));
+  cancel_->setText(tr("Cancel"));
+  cancel_->setObjectName(QStringLiteral("cancelJob"));
+  cancel_->setAccessibleName(tr("Cancel what is being computed"));
+  connect(cancel_, &QToolButton::clicked, this, [this] {
+    if (!running_.isEmpty()) jobs_.cancel(running_.lastKey());
+  });
+  connect(&jobs, &JobRunner::started, this, [this](int job, const QString& title) {
+    if (!title.isEmpty()) running_[job] = {title, {}, 0.0};
+    refresh();
+  });
+  connect(&jobs, &JobRunner::progressed, this, [this](int job, double fraction, const QString& step) {
+    if (!running_.contains(job)) return;
+    running_[job].fraction = fraction;
+    running_[job].step = step;
+    refresh();
+  });
+  connect(&jobs, &JobRunner::finished, this, [this](int job) {
+    running_.remove(job);
+    refresh();
+  });
+  refresh();
+}
+
+void JobPanel::refresh() {
+  const bool busy = !running_.isEmpty();
+  bar_->setVisible(busy);
+  cancel_->setVisible(busy);
+  if (!busy) return text_->setText(tr("Ready"));
+  const Shown& shown = running_.last();
+  text_->setText(shown.step.isEmpty() ? shown.title : tr("%1: %2").arg(shown.title, stepText(shown.step)));
+  bar_->setValue(static_cast<int>(1000.0 * shown.fraction));
+}
+
+}  // namespace vantage

@@ -1,0 +1,90 @@
+#include "docks/model_pane.h"
+
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QMenu>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+namespace vantage {
+
+ModelPane::ModelPane(const SurfaceMaker& surfaces, QWidget* parent)
+    : QWidget(parent), view_(new ModelView(surfaces)), notice_(new QToolButton) {
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  auto* bar = new QHBoxLayout;
+  bar->setContentsMargins(6, 4, 6, 4);
+  addChoice(*bar, tr("Colour of the surface"), {tr("Plain"), tr("Confidence"), tr("View"), tr("Age")},
+            [](ModelViewOptions& o, int i) { o.colouring = static_cast<ModelColouring>(i); });
+  addChoice(*bar, tr("Colour of the void"), {tr("Void by edge class"), tr("Void by state")},
+            [](ModelViewOptions& o, int i) { o.voidColouring = static_cast<VoidColouring>(i); });
+  addSwitch(*bar, tr("Void"), tr("Void patches: where the unseen begins"), &ModelViewOptions::voidPatches);
+  addSwitch(*bar, tr("Last rays"), tr("Rays of the last view"), &ModelViewOptions::currentRays);
+  addSwitch(*bar, tr("Next rays"), tr("Rays of the proposed view, or of the position asked about"),
+            &ModelViewOptions::proposedRays);
+  addSwitch(*bar, tr("Table"), tr("Turntable with its scale"), &ModelViewOptions::turntable);
+  bar->addStretch();
+  addCamera(*bar);
+  column->addLayout(bar);
+  notice_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+  notice_->setObjectName(QStringLiteral("notice"));
+  notice_->hide();
+  column->addWidget(notice_);
+  column->addWidget(view_, 1);
+  connect(notice_, &QToolButton::clicked, this, &ModelPane::noticeClicked);
+}
+
+void ModelPane::addChoice(QHBoxLayout& bar, const QString& name, const QStringList& options,
+                          const std::function<void(ModelViewOptions&, int)>& apply) {
+  auto* box = new QComboBox;
+  box->addItems(options);
+  box->setToolTip(name);
+  box->setAccessibleName(name);
+  connect(box, &QComboBox::currentIndexChanged, this, [this, apply](int index) {
+    ModelViewOptions changed = view_->options();
+    apply(changed, index);
+    view_->setOptions(changed);
+  });
+  bar.addWidget(box);
+}
+
+void ModelPane::addSwitch(QHBoxLayout& bar, const QString& text, const QString& help, bool ModelViewOptions::*value) {
+  auto* button = new QToolButton;
+  button->setText(text);
+  button->setToolTip(help);
+  button->setAccessibleName(help);
+  button->setCheckable(true);
+  button->setChecked(view_->options().*value);
+  connect(button, &QToolButton::toggled, this, [this, value](bool on) {
+    ModelViewOptions changed = view_->options();
+    changed.*value = on;
+    view_->setOptions(changed);
+  });
+  bar.addWidget(button);
+}
+
+void ModelPane::addCamera(QHBoxLayout& bar) {
+  auto* button = new QToolButton;
+  button->setText(tr("Camera"));
+  button->setAccessibleName(tr("Camera"));
+  button->setPopupMode(QToolButton::InstantPopup);
+  auto* menu = new QMenu(button);
+  const std::pair<QString, CameraPreset> presets[] = {{tr("Fit"), CameraPreset::Fit},
+                                                      {tr("Front"), CameraPreset::Front},
+                                                      {tr("Top"), CameraPreset::Top},
+                                                      {tr("Scanner's eye"), CameraPreset::ScannersEye},
+                                                      {tr("Oblique"), CameraPreset::Oblique}};
+  for (const auto& [text, preset] : presets)
+    connect(menu->addAction(text), &QAction::triggered, this, [this, chosen = preset] { view_->lookFrom(chosen); });
+  button->setMenu(menu);
+  bar.addWidget(button);
+}
+
+void ModelPane::setNotice(const QString& text) {
+  notice_->setText(text);
+  notice_->setAccessibleName(text);
+  notice_->setVisible(!text.isEmpty());
+}
+
+}  // namespace vantage

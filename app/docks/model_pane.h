@@ -1,0 +1,37 @@
+#pragma once
+
+#include <QWidget>
+
+#include "views/model_view.h"
+
+class QComboBox;
+class QHBoxLayout;
+class QToolButton;
+
+namespace vantage {
+
+/// The model view with what it can show: colours, layers, camera.
+class ModelPane final : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit ModelPane(const SurfaceMaker& surfaces, QWidget* parent = nullptr);
+
+  [[nodiscard]] ModelView& view() { return *view_; }
+  /// A line over the view, for instance that an earlier moment is shown; empty hides it.
+  void setNotice(const QString& text);
+
+ signals:
+  void noticeClicked();
+
+ private:
+  void addChoice(QHBoxLayout& bar, const QString& name, const QStringList& options,
+                 const std::function<void(ModelViewOptions&, int)>& apply);
+  void addSwitch(QHBoxLayout& bar, const QString& text, const QString& help, bool ModelViewOptions::*value);
+  void addCamera(QHBoxLayout& bar);
+
+  ModelView* view_;
+  QToolButton* notice_;
+};
+
+}  // namespace vantage

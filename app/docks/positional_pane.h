@@ -1,0 +1,34 @@
+#pragma once
+
+#include <QWidget>
+
+#include "views/positional_space_view.h"
+
+class QComboBox;
+
+namespace vantage {
+
+/// Positional space with the choice of the image that is on it.
+class PositionalPane final : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit PositionalPane(const SurfaceMaker& surfaces, QWidget* parent = nullptr);
+
+  [[nodiscard]] PositionalSpaceView& view() { return *view_; }
+  /// The position whose image of the scanner is shown; -1 for all.
+  void setPosition(int position);
+
+ signals:
+  void optionsChanged(const vantage::PositionalViewOptions& options);
+
+ private:
+  void apply();
+
+  PositionalSpaceView* view_;
+  QComboBox* kind_;
+  QComboBox* direction_;
+  int position_ = -1;
+};
+
+}  // namespace vantage

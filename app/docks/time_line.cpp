@@ -1,0 +1,59 @@
+#include "docks/time_line.h"
+
+#include <QCoreApplication>
+
+#include "why_card.h"
+
+namespace vantage {
+namespace {
+
+QString caption(const Moment& moment) {
+  if (moment.position >= 0)
+    return QCoreApplication::translate("TimeLine", "View %1 · position %2\n+%3")
+        .arg(QString::number(moment.views), QString::number(moment.position), areaText(moment.newArea));
+  return moment.text +
+         (moment.rejected ? QCoreApplication::translate("TimeLine", "\ndid not fit") : QStringLiteral("\n "));
+}
+
+}  // namespace
+
+TimeLine::TimeLine(SessionController& controller, QWidget* parent) : QListWidget(parent), controller_(controller) {
+  setFlow(QListView::LeftToRight);
+  setWrapping(false);
+  setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
+  setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  setSpacing(3);
+  setFrameShape(QFrame::NoFrame);
+  setObjectName(QStringLiteral("timeLine"));
+  setAccessibleName(tr("Moments of the session"));
+  connect(this, &QListWidget::currentRowChanged, this, [this](int row) {
+    if (row >= 0 && row != controller_.shownMoment()) controller_.showMoment(row);
+  });
+  connect(&controller, &SessionController::stateChanged, this, &TimeLine::refresh);
+  connect(&controller, &SessionController::shownChanged, this, &TimeLine::mark);
+}
+
+void TimeLine::refresh() {
+  const QSignalBlocker quiet(this);
+  clear();
+  for (const Moment& moment : controller_.moments()) {
+    auto* item = new QListWidgetItem(caption(moment), this);
+    item->setTextAlignment(Qt::AlignCenter);
+    item->setToolTip(moment.undone ? tr("%1 (undone)").arg(moment.text) : moment.text);
+    QFont font = item->font();
+    font.setStrikeOut(moment.undone);
+    item->setFont(font);
+    item->setSizeHint(QFontMetrics(font).boundingRect(QRect(0, 0, 400, 100), Qt::AlignCenter, caption(moment)).size() +
+                      QSize(20, 12));
+    if (moment.undone) item->setForeground(palette().color(QPalette::Disabled, QPalette::Text));
+  }
+  mark();
+}
+
+void TimeLine::mark() {
+  const QSignalBlocker quiet(this);
+  setCurrentRow(controller_.shownMoment());
+  if (currentItem() != nullptr) scrollToItem(currentItem());
+}
+
+}  // namespace vantage

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <QLabel>
+#include <QPushButton>
+#include <QString>
+#include <functional>
+
+class QGridLayout;
+
+namespace vantage {
+
+/// A label in one of the styles of window_theme.h; wraps its text.
+[[nodiscard]] QLabel* makeLabel(const QString& text, const char* role = "");
+
+/// A button with a name for assistive technology and tests.
+[[nodiscard]] QPushButton* makeButton(const QString& text, const QString& objectName, const QString& help,
+                                      bool primary = false);
+
+/// Rows of name, value and remark that can be filled again and again.
+class FigureTable final : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit FigureTable(QWidget* parent = nullptr);
+
+  void clear();
+  void add(const QString& name, const QString& value, const QString& remark = {});
+
+ private:
+  QGridLayout* grid_;
+  int rows_ = 0;
+};
+
+}  // namespace vantage

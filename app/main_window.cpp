@@ -1,0 +1,266 @@
+#include "main_window.h"
+
+#include <QApplication>
+#include <QCloseEvent>
+#include <QDockWidget>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMenuBar>
+#include <QMessageBox>
+#include <QSettings>
+#include <QStatusBar>
+
+#include "docks/job_panel.h"
+#include "docks/log_panel.h"
+#include "docks/time_line.h"
+#include "report_pictures.h"
+#include "settings/settings_dialog.h"
+#include "window_theme.h"
+#include "wizard/next_view_box.h"
+
+namespace vantage {
+namespace {
+
+constexpr int kLayoutVersion = 1;
+
+// The model as the view shows it, from a few sides. The view's camera stays.
+std::vector<ReportPicture> modelPictures(ModelView& view) {
+  const Camera before = view.camera();
+  std::vector<ReportPicture> pictures;
+  for (const auto& [preset, caption] :
+       {std::pair{CameraPreset::Oblique, QT_TRANSLATE_NOOP("MainWindow", "The model")},
+        std::pair{CameraPreset::Front, QT_TRANSLATE_NOOP("MainWindow", "From the front")},
+        std::pair{CameraPreset::Top, QT_TRANSLATE_NOOP("MainWindow", "From above")}}) {
+    view.lookFrom(preset);
+    pictures.push_back(toReportPicture(view.grab().toImage(), MainWindow::tr(caption)));
+  }
+  view.setCamera(before);
+  return pictures;
+}
+
+}  // namespace
+
+MainWindow::MainWindow(const WindowParts& parts, const Preferences& preferences, QWidget* parent)
+    : QMainWindow(parent),
+      controller_(parts.controller),
+      preferences_(preferences),
+      inspector_(new PositionInspector(parts.jobs, this)),
+      views_(new SessionViews(parts.controller, *inspector_, parts.jobs, parts.surfaces, this)),
+      wizard_(new Wizard(parts.controller, parts.resources)),
+      why_(new WhyPanel(*inspector_)),
+      timeLine_(new TimeLine(parts.controller)),
+      jobs_(new JobPanel(parts.jobs)),
+      log_(new LogPanel) {
+  setTabPosition(Qt::RightDockWidgetArea, QTabWidget::North);
+  setDockOptions(AnimatedDocks | AllowTabbedDocks | AllowNestedDocks);
+  setCentralWidget(&views_->model());
+  addDocks();
+  addMenus();
+  connectController();
+  statusBar()->addWidget(jobs_, 1);
+  statusBar()->setSizeGripEnabled(false);
+  firstLayout_ = saveState(kLayoutVersion);
+  applyPreferences(preferences);
+  refreshActions();
+  refreshTitle();
+}
+
+MainWindow::~MainWindow() = default;
+
+QDockWidget* MainWindow::addDock(const QString& title, const QString& name, QWidget* content, Qt::DockWidgetArea area,
+                                 const QKeySequence& shortcut) {
+  auto* dock = new QDockWidget(title, this);
+  dock->setObjectName(name);
+  dock->setAccessibleName(title);
+  dock->setWidget(content);
+  addDockWidget(area, dock);
+  dock->toggleViewAction()->setShortcut(shortcut);
+  return dock;
+}
+
+void MainWindow::addDocks() {
+  setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
+  setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+  auto* guide = addDock(tr("Session"), QStringLiteral("wizardDock"), wizard_, Qt::LeftDockWidgetArea, tr("Ctrl+1"));
+  guide->setFeatures(QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetFloatable);
+  auto* objective = addDock(tr("Objective"), QStringLiteral("objectiveDock"), &views_->objective(),
+                            Qt::RightDockWidgetArea, tr("Ctrl+2"));
+  auto* space = addDock(tr("Positional space"), QStringLiteral("spaceDock"), &views_->space(), Qt::RightDockWidgetArea,
+                        tr("Ctrl+3"));
+  auto* map =
+      addDock(tr("Map"), QStringLiteral("mapDock"), &views_->map(), Qt::RightDockWidgetArea, tr("Ctrl+4"));
+  auto* why = addDock(tr("Why this view"), QStringLiteral("whyDock"), why_, Qt::RightDockWidgetArea, tr("Ctrl+5"));
+  splitDockWidget(objective, why, Qt::Vertical);
+  tabifyDockWidget(objective, space);
+  tabifyDockWidget(space, map);
+  objective->raise();
+  auto* line =
+      addDock(tr("Time line"), QStringLiteral("timeLineDock"), timeLine_, Qt::BottomDockWidgetArea, tr("Ctrl+6"));
+  auto* log = addDock(tr("Log"), QStringLiteral("logDock"), log_, Qt::BottomDockWidgetArea, tr("Ctrl+7"));
+  tabifyDockWidget(line, log);
+  line->raise();
+  resizeDocks({guide, objective}, {340, 350}, Qt::Horizontal);
+  resizeDocks({objective, why}, {300, 340}, Qt::Vertical);
+  resizeDocks({line}, {96}, Qt::Vertical);
+}
+
+QAction* MainWindow::addAction(QMenu& menu, const QString& text, const QKeySequence& shortcut,
+                               const std::function<void()>& run) {
+  QAction* action = menu.addAction(text);
+  action->setShortcut(shortcut);
+  connect(action, &QAction::triggered, this, run);
+  return action;
+}
+
+void MainWindow::addMenus() {
+  addSessionMenu();
+  QMenu& edit = *menuBar()->addMenu(tr("&Edit"));
+  undo_ = addAction(edit, tr("&Undo"), QKeySequence::Undo, [this] { controller_.undo(); });
+  redo_ = addAction(edit, tr("&Redo"), QKeySequence::Redo, [this] { controller_.redo(); });
+  edit.addSeparator();
+  addAction(edit, tr("&Settings…"), tr("Ctrl+,"), [this] { editSettings(); });
+  addViewMenu();
+  QMenu& help = *menuBar()->addMenu(tr("&Help"));
+  addAction(help, tr("&About Vantage"), {}, [this] { showAbout(); });
+}
+
+void MainWindow::addSessionMenu() {
+  QMenu& session = *menuBar()->addMenu(tr("&Session"));
+  addAction(session, tr("&Open…"), QKeySequence::Open, [this] { openSession(); });
+  close_ = addAction(session, tr("&Close"), QKeySequence::Close, [this] {
+    controller_.close();
+    wizard_->goTo(0);
+  });
+  session.addSeparator();
+  addAction(session, tr("&Run or go on"), tr("F5"), [this] { controller_.run(); });
+  addAction(session, tr("One &scan"), tr("F6"), [this] { controller_.step(); });
+  addAction(session, tr("&Pause"), tr("F7"), [this] { controller_.pause(); });
+  addAction(session, tr("S&top"), tr("Shift+F5"), [this] { controller_.stop(); });
+  session.addSeparator();
+  addAction(session, tr("Next pa&ge"), tr("Alt+Right"), [this] { wizard_->goOn(); });
+  addAction(session, tr("Page &before"), tr("Alt+Left"), [this] { wizard_->goBack(); });
+  session.addSeparator();
+  addAction(session, tr("&Quit"), QKeySequence::Quit, [this] { close(); });
+}
+
+void MainWindow::addViewMenu() {
+  QMenu& view = *menuBar()->addMenu(tr("&View"));
+  const std::pair<QString, CameraPreset> presets[] = {{tr("&Fit"), CameraPreset::Fit},
+                                                      {tr("Fr&ont"), CameraPreset::Front},
+                                                      {tr("&Top"), CameraPreset::Top},
+                                                      {tr("Scanner's &eye"), CameraPreset::ScannersEye}};
+  int key = 1;
+  for (const auto& [text, preset] : presets)
+    addAction(view, text, QKeySequence(QStringLiteral("Alt+%1").arg(key++)),
+              [this, chosen = preset] { views_->model().view().lookFrom(chosen); });
+  view.addSeparator();
+  addAction(view, tr("Objective as &bars or dial"), tr("Ctrl+B"), [this] {
+    ObjectiveView& objective = views_->objective();
+    objective.setChartStyle(objective.chartStyle() == ObjectiveStyle::Dial ? ObjectiveStyle::Bars
+                                                                           : ObjectiveStyle::Dial);
+  });
+  addAction(view, tr("&Now"), tr("Ctrl+End"), [this] { controller_.showNow(); });
+  view.addSeparator();
+  for (auto* dock : findChildren<QDockWidget*>(Qt::FindDirectChildrenOnly)) view.addAction(dock->toggleViewAction());
+  addAction(view, tr("&Usual layout"), {}, [this] { resetLayout(); });
+}
+
+void MainWindow::connectController() {
+  connect(&controller_, &SessionController::activityChanged, this, &MainWindow::refreshActions);
+  connect(&controller_, &SessionController::stateChanged, this, &MainWindow::refreshActions);
+  connect(&controller_, &SessionController::sessionChanged, this, &MainWindow::refreshTitle);
+  connect(&controller_, &SessionController::message, log_, &LogPanel::add);
+  connect(&controller_, &SessionController::failed, log_, &LogPanel::addError);
+  connect(&controller_, &SessionController::failed, this, [this](const QString& what) {
+    auto* box = new QMessageBox(QMessageBox::Warning, tr("Vantage"), what, QMessageBox::Ok, this);
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    box->open();
+  });
+  connect(&controller_, &SessionController::written, log_,
+          [this](const QString& path) { log_->add(tr("Written: %1").arg(path)); });
+  connect(&controller_, &SessionController::stateChanged, log_, [this] {
+    if (controller_.cursor() < static_cast<int>(controller_.moments().size()))
+      log_->add(controller_.moments()[static_cast<std::size_t>(controller_.cursor())].text);
+  });
+  connect(&wizard_->choosePage(), &ChoosePage::openRequested, this, &MainWindow::openSession);
+  connect(&wizard_->finishPage(), &FinishPage::reportRequested, this, &MainWindow::writeReport);
+  connect(&wizard_->acquirePage().nextView(), &NextViewBox::considered, views_, &SessionViews::examine);
+  connect(views_, &SessionViews::positionExamined, &wizard_->acquirePage().nextView(), &NextViewBox::offer);
+}
+
+void MainWindow::refreshActions() {
+  undo_->setEnabled(controller_.canUndo());
+  redo_->setEnabled(controller_.canRedo());
+  close_->setEnabled(controller_.hasSession() && controller_.idle());
+}
+
+// The session of last time is found again by its path.
+void MainWindow::refreshTitle() {
+  const QString path = controller_.sessionPath();
+  setWindowTitle(path.isEmpty() ? tr("Vantage") : tr("%1 – Vantage").arg(QFileInfo(path).absoluteFilePath()));
+  QSettings file;
+  file.setValue(QStringLiteral("lastSession"), path);
+  file.sync();
+  refreshActions();
+}
+
+void MainWindow::openSession() {
+  const QString path = QFileDialog::getOpenFileName(this, tr("Open a session"), {}, tr("Sessions (*.vantage)"));
+  if (path.isEmpty() || !controller_.idle()) return;
+  controller_.close();
+  controller_.open(path);
+}
+
+void MainWindow::applyPreferences(const Preferences& preferences) {
+  preferences_ = preferences;
+  const Theme& theme = preferences.theme == 1 ? darkTheme() : lightTheme();
+  applyTheme(*qApp, theme);
+  views_->setTheme(theme);
+  views_->setNavigation(static_cast<NavigationScheme>(preferences.navigation));
+  why_->setTheme(theme);
+}
+
+void MainWindow::editSettings() {
+  auto* dialog = new SettingsDialog(preferences_, this);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  connect(dialog, &SettingsDialog::edited, this, [this](const Preferences& edited) {
+    applyPreferences(edited);
+    savePreferences(edited);
+  });
+  dialog->open();
+}
+
+void MainWindow::writeReport(const QString& path) {
+  HtmlReportOptions options;
+  options.version = QCoreApplication::applicationVersion().toStdString();
+  options.pictures = modelPictures(views_->model().view());
+  if (controller_.now()) options.viewPictures = scanPictures(*controller_.now());
+  controller_.writeReport(path, std::move(options));
+}
+
+void MainWindow::restoreLayout() {
+  const QSettings file;
+  restoreGeometry(file.value(QStringLiteral("window/geometry")).toByteArray());
+  restoreState(file.value(QStringLiteral("window/layout")).toByteArray(), kLayoutVersion);
+}
+
+void MainWindow::resetLayout() {
+  restoreState(firstLayout_, kLayoutVersion);
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+  QSettings file;
+  file.setValue(QStringLiteral("window/geometry"), saveGeometry());
+  file.setValue(QStringLiteral("window/layout"), saveState(kLayoutVersion));
+  controller_.stop();
+  event->accept();
+}
+
+void MainWindow::showAbout() {
+  QMessageBox::about(this, tr("About Vantage"),
+                     tr("Vantage %1\n\nA scanning workstation that decides where to scan next, after R. Pito, "
+                        "\"A Solution to the Next Best View Problem for Automated Surface Acquisition\", 1999.")
+                         .arg(QCoreApplication::applicationVersion()));
+}
+
+}  // namespace vantage

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <QMainWindow>
+
+#include "docks/why_panel.h"
+#include "session_views.h"
+#include "settings/preferences.h"
+#include "wizard/wizard.h"
+
+namespace vantage {
+
+class JobPanel;
+class LogPanel;
+class TimeLine;
+
+/// What the window is made with.
+struct WindowParts {
+  SessionController& controller;
+  JobRunner& jobs;
+  SurfaceMaker surfaces;
+  QString resources;  ///< folder with scanners/ and objects/
+};
+
+/// The window: views in the middle and in docks, menus, and what the operator set for them. Knows no algorithm.
+class MainWindow final : public QMainWindow {
+  Q_OBJECT
+
+ public:
+  explicit MainWindow(const WindowParts& parts, const Preferences& preferences, QWidget* parent = nullptr);
+  ~MainWindow() override;
+
+  [[nodiscard]] Wizard& wizard() { return *wizard_; }
+  [[nodiscard]] SessionViews& views() { return *views_; }
+
+  void applyPreferences(const Preferences& preferences);
+  /// Docks as the operator left them.
+  void restoreLayout();
+
+ protected:
+  void closeEvent(QCloseEvent* event) override;
+
+ private:
+  QDockWidget* addDock(const QString& title, const QString& name, QWidget* content, Qt::DockWidgetArea area,
+                       const QKeySequence& shortcut);
+  void addDocks();
+  void addMenus();
+  void addSessionMenu();
+  void addViewMenu();
+  QAction* addAction(QMenu& menu, const QString& text, const QKeySequence& shortcut, const std::function<void()>& run);
+  void connectController();
+  void refreshActions();
+  void refreshTitle();
+  void openSession();
+  void editSettings();
+  void writeReport(const QString& path);
+  void resetLayout();
+  void showAbout();
+
+  SessionController& controller_;
+  Preferences preferences_;
+  PositionInspector* inspector_;
+  SessionViews* views_;
+  Wizard* wizard_;
+  WhyPanel* why_;
+  TimeLine* timeLine_;
+  JobPanel* jobs_;
+  LogPanel* log_;
+  QMenu* docksMenu_ = nullptr;
+  QAction* undo_ = nullptr;
+  QAction* redo_ = nullptr;
+  QAction* close_ = nullptr;
+  QByteArray firstLayout_;
+};
+
+}  // namespace vantage

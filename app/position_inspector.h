@@ -1,0 +1,48 @@
+#pragma once
+
+#include <QObject>
+#include <memory>
+#include <optional>
+
+#include "acquisition/acquisition_state.h"
+#include "job_runner.h"
+#include "planning/explanation.h"
+#include "planning/position_sight.h"
+#include "planning/scanner_picture.h"
+
+namespace vantage {
+
+/// All there is to say about one position. The explanation is the plan's own record; sight and picture are computed
+/// from the model with the scanner's rays.
+struct PositionInsight {
+  Explanation why;
+  std::shared_ptr<const Plan> plan;
+  std::shared_ptr<const PositionSight> sight;     ///< null until it is computed
+  std::shared_ptr<const ScannerPicture> picture;  ///< null until it is computed
+};
+
+/// Answers "why this view, why not that one" for a position of a state. The record is told at once, what has to be
+/// computed follows; of questions that overtake each other only the last is answered.
+class PositionInspector final : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit PositionInspector(JobRunner& jobs, QObject* parent = nullptr) : QObject(parent), jobs_(jobs) {}
+
+  /// Nothing is told of a state without a plan, or a position that it does not have.
+  void inspect(const std::shared_ptr<const AcquisitionState>& state, int position);
+  void forget();
+
+  [[nodiscard]] const std::optional<PositionInsight>& insight() const { return insight_; }
+
+ signals:
+  void changed();
+
+ private:
+  JobRunner& jobs_;
+  std::optional<PositionInsight> insight_;
+  JobRunner::Id job_ = 0;
+  int question_ = 0;
+};
+
+}  // namespace vantage

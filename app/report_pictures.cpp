@@ -1,0 +1,71 @@
+#include "report_pictures.h"
+
+#include <QBuffer>
+#include <QCoreApplication>
+#include <algorithm>
+#include <cmath>
+
+namespace vantage {
+namespace {
+
+QString tr(const char* text) {
+  return QCoreApplication::translate("ReportPictures", text);
+}
+
+// How squarely the surface between a sample and its two grid neighbours faces the ray; 0 without neighbours.
+double facing(const RangeImage& scan, int row, int column) {
+  const RayGrid& rays = *scan.rays;
+  const auto at = [&](int r, int c) {
+    return rays.index(std::min(r, rays.rows() - 1), std::min(c, rays.columns() - 1));
+  };
+  const std::size_t here = at(row, column);
+  const std::size_t below = at(row + 1, column);
+  const std::size_t beside = at(row, column + 1);
+  if (!scan.valid(here) || !scan.valid(below) || !scan.valid(beside)) return 0.0;
+  const Vec3 p = scan.point(here);
+  const Vec3 normal = (scan.point(below) - p).cross(scan.point(beside) - p);
+  const double length = normal.norm();
+  return length > 0.0 ? std::abs(normal.dot(rays.ray(here).direction)) / length : 0.0;
+}
+
+}  // namespace
+
+QImage scanImage(const RangeImage& scan) {
+  const RayGrid& rays = *scan.rays;
+  QImage image(rays.columns(), rays.rows(), QImage::Format_RGB32);
+  image.fill(QColor(0x22, 0x27, 0x2e));
+  for (int row = 0; row < rays.rows(); ++row)
+    for (int column = 0; column < rays.columns(); ++column) {
+      if (!scan.valid(rays.index(row, column))) continue;
+      const int grey = 50 + static_cast<int>(195.0 * facing(scan, row, column));
+      image.setPixel(column, row, qRgb(grey, grey, std::max(0, grey - 8)));
+    }
+  // Rows may run up and columns to the left: set the picture upright as somebody at the scanner sees it.
+  const auto place = [&](int row, int column) {
+    const RangingRay& ray = rays.ray(rays.index(row, column));
+    return Vec3(ray.origin + 300.0 * ray.direction);
+  };
+  const bool up = place(rays.rows() - 1, 0).z() > place(0, 0).z();
+  const Vec3 across = place(0, rays.columns() - 1) - place(0, 0);
+  const Vec3 right = rays.ray(rays.size() / 2).direction.cross(Vec3::UnitZ());
+  return image.mirrored(across.dot(right) < 0.0, up);
+}
+
+ReportPicture toReportPicture(const QImage& image, const QString& caption) {
+  QByteArray bytes;
+  QBuffer buffer(&bytes);
+  buffer.open(QIODevice::WriteOnly);
+  image.save(&buffer, "PNG");
+  return {caption.toStdString(), bytes.toStdString()};
+}
+
+std::vector<ReportPicture> scanPictures(const AcquisitionState& state) {
+  std::vector<ReportPicture> pictures;
+  for (std::size_t i = 0; i < state.views.size(); ++i) {
+    const RangeImage& scan = *state.views[i].image;
+    pictures.push_back(toReportPicture(scanImage(scan), tr("View %1, position %2").arg(i + 1).arg(scan.position)));
+  }
+  return pictures;
+}
+
+}  // namespace vantage

@@ -1,0 +1,67 @@
+#include "session_start.h"
+
+#include <filesystem>
+
+#include "base/errors.h"
+#include "positional_space/scanner_images_cache.h"
+#include "scanner/simulated_scanner.h"
+
+namespace vantage {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string freeName(const fs::path& folder) {
+  fs::path path = folder / "session.vantage";
+  for (int i = 2; fs::exists(path); ++i) path = folder / ("session-" + std::to_string(i) + ".vantage");
+  return path.string();
+}
+
+}  // namespace
+
+std::shared_ptr<Session> createSession(const SetUp& setUp) {
+  std::error_code error;
+  fs::create_directories(setUp.choice.folder, error);
+  if (error) throw IoError(setUp.choice.folder, "cannot be made a folder: " + error.message());
+  return std::make_shared<Session>(
+      Session::create(freeName(setUp.choice.folder), {setUp.source, setUp.choice.settings, setUp.object.get()}));
+}
+
+OpenedSession openSession(const std::string& path, const std::string& cacheFolder, const Progress& progress) {
+  OpenedSession opened;
+  opened.session =
+      std::make_shared<Session>(Session::open(path, SessionAccess::Write, progress.part(0.0, 0.4, "read session")));
+  auto setUp = std::make_shared<SetUp>();
+  setUp->choice.settings = opened.session->state()->settings;
+  setUp->choice.folder = fs::path(path).parent_path().string();
+  setUp->profile = opened.session->profile();
+  if (!setUp->profile) {
+    opened.setUp = setUp;
+    return opened;
+  }
+  if (!setUp->choice.settings.object.empty()) {
+    try {
+      auto object = std::make_shared<const Mesh>(opened.session->object(progress.part(0.4, 0.5, "read object")));
+      setUp->object = std::move(object);
+    } catch (const Cancelled&) {
+      throw;
+    } catch (const Error& e) {
+      // Everything but a further scan works without the object.
+      setUp->notes = e.what();
+    }
+  }
+  setUp->images = std::make_shared<const ScannerImages>(
+      loadScannerImages(*setUp->profile, cacheFolder, progress.part(0.5, 1.0, "positional space of the scanner")));
+  opened.setUp = setUp;
+  return opened;
+}
+
+std::unique_ptr<ScannerDevice> scannerOf(const SetUp& setUp, std::int64_t scansBefore) {
+  if (!setUp.object)
+    throw InvalidInput("there is nothing to scan: " + (setUp.notes.empty() ? "no object was chosen" : setUp.notes));
+  const AcquisitionSettings& settings = setUp.choice.settings;
+  return std::make_unique<SimulatedScanner>(
+      *setUp.object, setUp.profile, SimulationOptions{settings.seed, settings.ideal}, static_cast<int>(scansBefore));
+}
+
+}  // namespace vantage

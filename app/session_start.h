@@ -1,0 +1,29 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "acquisition/automatic_run.h"
+#include "acquisition/session.h"
+#include "set_up.h"
+
+namespace vantage {
+
+/// Makes the session of a set-up in its folder, under a name that is still free.
+/// @throws IoError
+[[nodiscard]] std::shared_ptr<Session> createSession(const SetUp& setUp);
+
+/// Opens a session for writing with the set-up that it was begun with.
+/// @throws IoError, InvalidInput, Cancelled
+struct OpenedSession {
+  std::shared_ptr<Session> session;
+  SharedSetUp setUp;
+};
+[[nodiscard]] OpenedSession openSession(const std::string& path, const std::string& cacheFolder,
+                                        const Progress& progress);
+
+/// The simulated scanner of a session where it left off.
+/// @throws InvalidInput when the session has no object to look at.
+[[nodiscard]] std::unique_ptr<ScannerDevice> scannerOf(const SetUp& setUp, std::int64_t scansBefore);
+
+}  // namespace vantage

@@ -1,0 +1,151 @@
+#include "session_views.h"
+
+#include <QEvent>
+
+#include "acquisition/steps.h"
+
+namespace vantage {
+namespace {
+
+// What the views of positional space need besides the state; costs about as much as planning did.
+struct PlanPictures {
+  std::shared_ptr<const PlanImages> images;
+  std::shared_ptr<const PositionalLinks> links;
+};
+
+PlanPictures computePictures(const ViewSnapshot& snapshot, const Progress& progress) {
+  const AcquisitionState& state = *snapshot.state;
+  const PlanInput input{*state.profile, *snapshot.scannerImages, *state.model, state.views, snapshot.current()};
+  PlanPictures pictures;
+  pictures.images = std::make_shared<const PlanImages>(
+      computePlanImages(input, *snapshot.plan->voids, stepOptionsFor(state).planner, progress.part(0.0, 0.9)));
+  pictures.links = std::make_shared<const PositionalLinks>(*snapshot.scannerImages, *pictures.images);
+  return pictures;
+}
+
+}  // namespace
+
+SessionViews::SessionViews(SessionController& controller, PositionInspector& inspector, JobRunner& jobs,
+                           const SurfaceMaker& surfaces, QObject* parent)
+    : QObject(parent),
+      controller_(controller),
+      inspector_(inspector),
+      jobs_(jobs),
+      model_(new ModelPane(surfaces)),
+      space_(new PositionalPane(surfaces)),
+      map_(new UnrolledMapView),
+      objective_(new ObjectiveView) {
+  for (QWidget* watched : {static_cast<QWidget*>(space_), static_cast<QWidget*>(map_)})
+    watched->installEventFilter(this);
+  connectViews();
+}
+
+void SessionViews::connectViews() {
+  connect(&controller_, &SessionController::shownChanged, this, &SessionViews::refresh);
+  connect(&controller_, &SessionController::setUpChanged, this, &SessionViews::refresh);
+  connect(&controller_, &SessionController::activityChanged, this, &SessionViews::requestImages);
+  connect(space_, &PositionalPane::optionsChanged, map_, &UnrolledMapView::setOptions);
+  connect(&space_->view(), &PositionalSpaceView::cellPicked, this, &SessionViews::pickCell);
+  connect(&space_->view(), &PositionalSpaceView::cellHovered, map_, &UnrolledMapView::pointAt);
+  connect(map_, &UnrolledMapView::cellPicked, this, &SessionViews::pickCell);
+  connect(&model_->view(), &ModelView::patchPicked, this, &SessionViews::pickPatch);
+  connect(&model_->view(), &ModelView::nothingPicked, this, [this] {
+    model_->view().highlight({});
+    space_->view().highlightCells({});
+    map_->highlightCells({});
+  });
+  connect(model_, &ModelPane::noticeClicked, &controller_, &SessionController::showNow);
+  connect(objective_, &ObjectiveView::positionPicked, this, &SessionViews::examine);
+}
+
+// Images of positional space are only computed while somebody looks at them.
+bool SessionViews::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::Show) requestImages();
+  return QObject::eventFilter(watched, event);
+}
+
+void SessionViews::refresh() {
+  jobs_.cancel(imagesJob_);
+  imagesJob_ = 0;
+  ++question_;
+  links_.reset();
+  const SharedState& state = controller_.shown();
+  const SharedSetUp& setUp = controller_.setUp();
+  auto before = std::make_shared<AcquisitionState>();
+  if (!state && setUp) before->profile = setUp->profile;
+  showSnapshot(makeSnapshot(state ? state : before, setUp ? setUp->images : nullptr));
+  model_->setNotice(
+      controller_.showsNow()
+          ? QString()
+          : tr("This is the session as it was after %1 views. Back to now").arg(state ? state->views.size() : 0));
+  requestImages();
+  if (snapshot_->proposed() >= 0)
+    examine(snapshot_->proposed());
+  else
+    inspector_.forget();
+}
+
+void SessionViews::showSnapshot(const SharedSnapshot& snapshot) {
+  snapshot_ = snapshot;
+  model_->view().setSnapshot(snapshot);
+  space_->view().setSnapshot(snapshot);
+  map_->setSnapshot(snapshot);
+  objective_->setSnapshot(snapshot);
+}
+
+// While an acquisition runs the processors are its own.
+void SessionViews::requestImages() {
+  const bool wanted = space_->isVisible() || map_->isVisible();
+  if (!wanted || imagesJob_ != 0 || !controller_.idle() || !snapshot_ || !snapshot_->plan || !snapshot_->plan->voids ||
+      !snapshot_->scannerImages || snapshot_->planImages || snapshot_->model() == nullptr)
+    return;
+  imagesJob_ = jobs_.run<PlanPictures>(
+      {}, [snapshot = snapshot_](const Progress& progress) { return computePictures(*snapshot, progress); },
+      [this, question = question_](JobResult<PlanPictures> result) {
+        if (question != question_) return;
+        if (!result.value) return;
+        auto complete = std::make_shared<ViewSnapshot>(*snapshot_);
+        complete->planImages = result.value->images;
+        links_ = result.value->links;
+        showSnapshot(complete);
+      });
+}
+
+void SessionViews::pickCell(int row, int column) {
+  if (!snapshot_ || !snapshot_->scannerImages || row < 0) return;
+  const auto columns = static_cast<std::uint32_t>(snapshot_->scannerImages->data().shape.columns);
+  const std::uint32_t cell = static_cast<std::uint32_t>(row) * columns + static_cast<std::uint32_t>(column);
+  space_->view().highlightCells({cell});
+  map_->highlightCells({cell});
+  if (links_) model_->view().highlight(links_->patchesThrough(cell));
+}
+
+void SessionViews::pickPatch(std::uint32_t patch) {
+  model_->view().highlight({patch});
+  if (!links_) return;
+  const std::vector<std::uint32_t> cells = links_->cellsOf(patch);
+  space_->view().highlightCells(cells);
+  map_->highlightCells(cells);
+}
+
+void SessionViews::examine(int position) {
+  inspector_.inspect(snapshot_ ? snapshot_->state : nullptr, position);
+  objective_->examine(position);
+  space_->setPosition(position);
+  model_->view().examine(position == (snapshot_ ? snapshot_->proposed() : -1) ? std::nullopt : std::optional(position));
+  emit positionExamined(position);
+}
+
+void SessionViews::setTheme(const Theme& theme) {
+  model_->view().setTheme(theme);
+  space_->view().setTheme(theme);
+  map_->setTheme(theme);
+  objective_->setTheme(theme);
+}
+
+void SessionViews::setNavigation(NavigationScheme scheme) {
+  model_->view().setNavigation(scheme);
+  space_->view().setNavigation(scheme);
+}
+
+}  // namespace vantage

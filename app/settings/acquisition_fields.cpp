@@ -1,0 +1,53 @@
+#include "settings/acquisition_fields.h"
+
+#include <QCoreApplication>
+#include <limits>
+
+namespace vantage {
+namespace {
+
+QString tr(const char* text) {
+  return QCoreApplication::translate("AcquisitionForm", text);
+}
+
+}  // namespace
+
+AcquisitionForm AcquisitionForm::of(const AcquisitionSettings& settings) {
+  AcquisitionForm form;
+  form.placement = settings.placement == "fit" ? 1 : 0;
+  form.maxViews = settings.maxViews;
+  form.tolerance = settings.tolerance;
+  form.firstView = settings.firstView;
+  form.seed = static_cast<int>(settings.seed);
+  form.ideal = settings.ideal;
+  return form;
+}
+
+void AcquisitionForm::writeTo(AcquisitionSettings& settings) const {
+  settings.placement = placement == 1 ? "fit" : "as-is";
+  settings.maxViews = maxViews;
+  settings.tolerance = tolerance;
+  settings.firstView = firstView;
+  settings.seed = static_cast<std::uint64_t>(seed);
+  settings.ideal = ideal;
+}
+
+FieldTable<AcquisitionForm> acquisitionFields() {
+  using F = Field<AcquisitionForm>;
+  using Form = AcquisitionForm;
+  return {{"placement", tr("Place object"),
+           tr("Take the mesh where it is, or scale and centre it into the viewing volume."),
+           F::Choice{&Form::placement, {tr("As it is"), tr("Fit into volume")}}},
+          {"max_views", tr("Most views"), tr("Stop after so many views."), F::Whole{&Form::maxViews, 1, 10000, {}}},
+          {"tolerance", tr("Least confidence"),
+           tr("Surface sampled at a smaller cosine than this attracts another view; 0 switches it off."),
+           F::Number{&Form::tolerance, 0.0, 1.0, 2, {}}},
+          {"first_view", tr("First position"), tr("Where the first scan is taken."),
+           F::Whole{&Form::firstView, 0, 9999, {}}},
+          {"seed", tr("Seed"), tr("Of the simulated scanner's noise and mechanics."),
+           F::Whole{&Form::seed, 0, std::numeric_limits<int>::max(), {}}},
+          {"ideal", tr("Ideal scanner"), tr("Switch the simulated noise and mechanical errors off."),
+           F::Switch{&Form::ideal}}};
+}
+
+}  // namespace vantage

@@ -1,0 +1,45 @@
+#include "settings/preferences.h"
+
+#include <QCoreApplication>
+
+#include "settings/field_form.h"
+
+namespace vantage {
+namespace {
+
+QString tr(const char* text) {
+  return QCoreApplication::translate("Preferences", text);
+}
+
+}  // namespace
+
+FieldTable<Preferences> preferenceFields() {
+  using F = Field<Preferences>;
+  return {{"theme", tr("Theme"), tr("Colours of the window and of the views."),
+           F::Choice{&Preferences::theme, {tr("Light"), tr("Dark")}}},
+          {"navigation", tr("Mouse"), tr("Which program the mouse buttons in the views follow."),
+           F::Choice{&Preferences::navigation, {"MeshLab", "CloudCompare", "Blender", "ParaView"}}},
+          {"threads", tr("Threads"),
+           tr("Processors that computing may use from the next start on; 0 takes all. Results never depend on it."),
+           F::Whole{&Preferences::threads, 0, 256, {}}},
+          {"reopen", tr("Go on where I was"), tr("Open the session of last time at start if it was not ended."),
+           F::Switch{&Preferences::reopen}}};
+}
+
+Preferences loadPreferences() {
+  Preferences preferences;
+  QSettings file;
+  file.beginGroup("preferences");
+  readFields(file, preferenceFields(), preferences);
+  return preferences;
+}
+
+void savePreferences(const Preferences& preferences) {
+  QSettings file;
+  file.beginGroup("preferences");
+  writeFields(file, preferenceFields(), preferences);
+  file.endGroup();
+  file.sync();
+}
+
+}  // namespace vantage

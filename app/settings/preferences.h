@@ -1,0 +1,21 @@
+#pragma once
+
+#include "settings/field_table.h"
+
+namespace vantage {
+
+/// What an operator sets once, for all sessions.
+struct Preferences {
+  int theme = 0;       ///< light, dark
+  int navigation = 0;  ///< NavigationScheme
+  int threads = 0;     ///< that a job may use; 0: all of the machine
+  bool reopen = true;  ///< the session of last time, if it was not ended
+};
+
+[[nodiscard]] FieldTable<Preferences> preferenceFields();
+
+/// From and to the settings file of the user.
+[[nodiscard]] Preferences loadPreferences();
+void savePreferences(const Preferences& preferences);
+
+}  // namespace vantage

@@ -1,0 +1,31 @@
+#include "settings/settings_dialog.h"
+
+#include <QDialogButtonBox>
+#include <QVBoxLayout>
+
+#include "settings/field_form.h"
+
+namespace vantage {
+
+SettingsDialog::SettingsDialog(const Preferences& preferences, QWidget* parent)
+    : QDialog(parent), before_(preferences), edited_(preferences) {
+  setWindowTitle(tr("Settings"));
+  auto* layout = new QVBoxLayout(this);
+  auto* form = new QFormLayout;
+  fillForm(*form, preferenceFields(), edited_, [this] { emit edited(edited_); });
+  layout->addLayout(form);
+  layout->addStretch();
+  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel);
+  layout->addWidget(buttons);
+  connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+  connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+  connect(this, &QDialog::rejected, this, &SettingsDialog::takeBack);
+  setMinimumWidth(360);
+}
+
+void SettingsDialog::takeBack() {
+  edited_ = before_;
+  emit edited(edited_);
+}
+
+}  // namespace vantage

@@ -1,0 +1,119 @@
+#include "why_card.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+#include <cmath>
+
+namespace vantage {
+namespace {
+
+QString tr(const char* text) {
+  return QCoreApplication::translate("WhyCard", text);
+}
+
+QString verdictOf(const Explanation& why) {
+  switch (why.constraint) {
+    case Constraint::Chosen:
+      return tr("Chosen: of all positions that overlap the model enough it shows the most unseen surface.");
+    case Constraint::Outscored:
+      return tr("Allowed, but the chosen position shows more.");
+    case Constraint::BelowThreshold:
+      return tr("Rejected: what it would show is %1 short of the least that is worth a scan.")
+          .arg(areaText(why.shortBy));
+    case Constraint::OverlapShort:
+      return tr("Rejected: the overlap with the model is short by %1, so the scan could not be registered.")
+          .arg(areaText(why.shortBy));
+    case Constraint::PoseUncertain:
+      return tr("Rejected: registration would be uncertain, by %1 mm more than allowed.")
+          .arg(figureText(why.shortBy, 3));
+  }
+  return {};
+}
+
+void addVoid(WhyCard& card, const Explanation& why) {
+  card.figures.push_back({tr("Void it would show (o_v)"), areaText(why.promise),
+                          tr("more than F = %1 is worth a scan").arg(areaText(why.terminationThreshold))});
+  if (why.tracedVoidArea)
+    card.figures.push_back(
+        {tr("by positional space"), areaText(why.voidArea), tr("before following the scanner's rays")});
+  card.figures.push_back({tr("Rank"), QString::number(why.rank), tr("by what positions promise")});
+}
+
+void addRegistration(WhyCard& card, const Explanation& why) {
+  card.figures.push_back({tr("Overlap (o_s)"), areaText(why.overlapArea),
+                          tr("more than t = %1 is needed").arg(areaText(why.leastOverlap))});
+  if (!why.poseSigma) return;
+  const QString sigma = std::isfinite(*why.poseSigma) ? figureText(*why.poseSigma, 3) + tr(" mm") : tr("unbounded");
+  card.figures.push_back(
+      {tr("Registration error"), sigma, tr("weakest: %1").arg(QString::fromStdString(why.weakDirection))});
+}
+
+void addPatches(WhyCard& card, const Explanation& why) {
+  if (why.patches == 0) return;
+  const char* const names[kEdgeClasses] = {"outer jumps", "inner jumps", "line-of-sight jumps", "regular", "rim"};
+  QStringList parts;
+  for (std::size_t i = 0; i < kEdgeClasses; ++i)
+    if (why.patchesByClass[i] > 0) parts << QStringLiteral("%1 %2").arg(why.patchesByClass[i]).arg(tr(names[i]));
+  card.figures.push_back({tr("Void patches it wins"), QString::number(why.patches), parts.join(QStringLiteral(", "))});
+}
+
+void addSights(WhyCard& card, const PositionSight& sight) {
+  const std::pair<Visibility, const char*> rows[] = {{Visibility::Seen, "in sight"},
+                                                     {Visibility::LightBlocked, "light blocked by the object"},
+                                                     {Visibility::ReceiverBlocked, "receiver blocked by the object"},
+                                                     {Visibility::TooSteep, "too steep"},
+                                                     {Visibility::OutOfReach, "outside the sampling area"}};
+  for (const auto& [visibility, text] : rows)
+    card.sights.push_back({tr(text), areaText(sight.area(visibility)), tr("%1 patches").arg(sight.count(visibility))});
+  const auto blocked = [&](Visibility wanted) -> std::uint32_t {
+    for (const PatchSight& patch : sight.patches)
+      if (patch.visibility == wanted && patch.blocker != kNoIndex) return patch.blocker;
+    return kNoIndex;
+  };
+  for (std::size_t i = 1; i < 3; ++i)
+    if (const std::uint32_t triangle = blocked(rows[i].first); triangle != kNoIndex)
+      card.sights[i].remark += tr(", for one by triangle %1").arg(triangle);
+}
+
+QString difference(double value, double other, const QString& more, const QString& less) {
+  return areaText(std::abs(value - other)) + QStringLiteral(" ") + (value >= other ? more : less);
+}
+
+QString comparisonOf(const Explanation& why) {
+  if (why.rival < 0) return why.constraint == Constraint::Chosen ? tr("No other position is allowed.") : QString();
+  const QString who = why.constraint == Constraint::Chosen ? tr("The runner-up, position %1,").arg(why.rival)
+                                                           : tr("The chosen position %1").arg(why.rival);
+  return tr("%1 shows %2 and overlaps %3.")
+      .arg(who, difference(why.rivalPromise, why.promise, tr("more"), tr("less")),
+           difference(why.rivalOverlap, why.overlapArea, tr("more"), tr("less")));
+}
+
+}  // namespace
+
+QString figureText(double value, int decimals) {
+  return QLocale::c().toString(value, 'f', decimals);
+}
+
+QString areaText(double squareMillimetres) {
+  const double size = std::abs(squareMillimetres);
+  return figureText(squareMillimetres, size > 0.0 && size < 100.0 ? 1 : 0) + QStringLiteral(" mm²");
+}
+
+QString angleText(double radians) {
+  return figureText(degrees(radians), 1) + QStringLiteral("°");
+}
+
+WhyCard makeWhyCard(const PositionInsight& insight) {
+  const Explanation& why = insight.why;
+  WhyCard card;
+  card.title = tr("Position %1").arg(why.position);
+  card.verdict = verdictOf(why);
+  addVoid(card, why);
+  addRegistration(card, why);
+  addPatches(card, why);
+  if (insight.sight) addSights(card, *insight.sight);
+  card.comparison = comparisonOf(why);
+  return card;
+}
+
+}  // namespace vantage

@@ -1,0 +1,158 @@
+#include "wizard/acquire_page.h"
+
+#include <QGridLayout>
+#include <QTabBar>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "form_parts.h"
+#include "why_card.h"
+#include "wizard/next_view_box.h"
+
+namespace vantage {
+
+AcquirePage::AcquirePage(SessionController& controller, QWidget* parent)
+    : WizardPage(controller, parent),
+      mode_(new QTabBar),
+      status_(makeLabel({})),
+      figures_(new FigureTable),
+      nextView_(new NextViewBox(controller)),
+      run_(makeButton(tr("&Run"), QStringLiteral("run"), tr("Scan until nothing is left to see."), true)),
+      pause_(makeButton(tr("&Pause"), QStringLiteral("pause"), tr("Stop after the scan that is under way."))),
+      step_(makeButton(tr("&One scan"), QStringLiteral("step"), tr("Take the next scan and stop."))),
+      stop_(makeButton(tr("&Stop"), QStringLiteral("stop"),
+                       tr("Stop at once; the scan that is under way leaves no trace."))),
+      scan_(makeButton(tr("The table is turned: &scan"), QStringLiteral("scan"), tr("Scan from the position shown."),
+                       true)),
+      end_(makeButton(tr("&End here"), QStringLiteral("end"), tr("End the acquisition with what has been scanned."))) {
+  build();
+  connect(mode_, &QTabBar::currentChanged, this, &AcquirePage::refresh);
+  connect(run_, &QPushButton::clicked, &controller, &SessionController::run);
+  connect(step_, &QPushButton::clicked, &controller, &SessionController::step);
+  connect(scan_, &QPushButton::clicked, &controller, &SessionController::step);
+  connect(pause_, &QPushButton::clicked, &controller, &SessionController::pause);
+  connect(stop_, &QPushButton::clicked, &controller, &SessionController::stop);
+  connect(end_, &QPushButton::clicked, this, [this] {
+    this->controller().endHere();
+    emit finished();
+  });
+  connect(&controller, &SessionController::activityChanged, this, &AcquirePage::refresh);
+  connect(&controller, &SessionController::stateChanged, this, &AcquirePage::refresh);
+  connect(&controller, &SessionController::runEnded, this, &AcquirePage::finished);
+  refresh();
+}
+
+void AcquirePage::build() {
+  mode_->addTab(tr("Automatic"));
+  mode_->addTab(tr("Assisted"));
+  mode_->setObjectName(QStringLiteral("mode"));
+  mode_->setAccessibleName(tr("Who turns the table"));
+  mode_->setExpanding(true);
+  mode_->setDocumentMode(true);
+  column().addWidget(mode_);
+  column().addWidget(status_);
+  auto* buttons = new QGridLayout;
+  buttons->addWidget(run_, 0, 0, 1, 3);
+  buttons->addWidget(scan_, 1, 0, 1, 3);
+  buttons->addWidget(pause_, 2, 0);
+  buttons->addWidget(step_, 2, 1);
+  buttons->addWidget(stop_, 2, 2);
+  column().addLayout(buttons);
+  column().addWidget(nextView_);
+  addSection(tr("So far"));
+  column().addWidget(figures_);
+  column().addStretch();
+  column().addWidget(end_);
+}
+
+void AcquirePage::setAssisted(bool assisted) {
+  mode_->setCurrentIndex(assisted ? 1 : 0);
+}
+
+bool AcquirePage::assisted() const {
+  return mode_->currentIndex() == 1;
+}
+
+void AcquirePage::entered() {
+  controller().prepare();
+  refresh();
+}
+
+bool AcquirePage::goesOn() const {
+  const NextScan next = controller().next();
+  const bool open = !controller().now() || controller().now()->termination == Termination::Running ||
+                    controller().now()->chosenPosition >= 0;
+  return open && next.termination == Termination::Running && controller().setUp() && controller().setUp()->object;
+}
+
+QString AcquirePage::status() const {
+  switch (controller().activity()) {
+    case Activity::Running:
+      return tr("Scanning, registering, merging and planning; the bar below shows the step.");
+    case Activity::Pausing:
+      return tr("Stops after this scan.");
+    case Activity::Stopping:
+      return tr("Stopping.");
+    case Activity::Preparing:
+      return tr("Reading scanner and object.");
+    default:
+      break;
+  }
+  if (!controller().now() || controller().now()->views.empty()) return tr("Nothing has been scanned yet.");
+  return goesOn() ? tr("Stopped. The next view is ready.") : tr("Nothing is left that another view would show.");
+}
+
+QString AcquirePage::whatNext() const {
+  if (controller().activity() == Activity::Running)
+    return assisted() ? tr("After this scan the next position is shown.")
+                      : tr("When nothing is left to see, the review opens by itself.");
+  if (!complete())
+    return assisted() ? tr("You turn the table as the dial says; after each scan the best next view is shown.")
+                      : tr("Run scans from one position after the other, each chosen by what is still unseen.");
+  return goesOn() ? tr("Go on scanning, or look at what there is so far.")
+                  : tr("The review shows what is covered and what is left.");
+}
+
+bool AcquirePage::complete() const {
+  return controller().idle() && controller().now() && controller().now()->model;
+}
+
+void AcquirePage::refresh() {
+  const bool idle = controller().idle();
+  const bool running = controller().activity() == Activity::Running;
+  nextView_->setAssisted(assisted());
+  status_->setText(status());
+  run_->setVisible(!assisted());
+  step_->setVisible(!assisted());
+  scan_->setVisible(assisted());
+  pause_->setVisible(!assisted());
+  run_->setText(complete() ? tr("&Go on") : tr("&Run"));
+  for (QPushButton* button : {run_, step_, scan_}) button->setEnabled(idle && goesOn());
+  pause_->setEnabled(running);
+  stop_->setEnabled(!idle && controller().activity() != Activity::Stopping);
+  end_->setEnabled(complete() && goesOn());
+  refreshFigures();
+  emit changed();
+}
+
+void AcquirePage::refreshFigures() {
+  figures_->clear();
+  const SharedState& now = controller().now();
+  figures_->add(tr("Scans"), QString::number(now ? now->views.size() : 0));
+  if (!now || now->records.empty()) return;
+  if (!now->rejected.empty())
+    figures_->add(tr("Scans that did not fit"), QString::number(now->rejected.size()),
+                  tr("kept, but not part of the model"));
+  double area = 0.0;
+  for (const ViewRecord& record : now->records) area += record.newArea;
+  figures_->add(tr("Surface"), areaText(area),
+                tr("%1 new by the last scan").arg(areaText(now->records.back().newArea)));
+  const auto plan = currentPlan(*now);
+  if (!plan || !plan->voids) return;
+  const auto open =
+      std::count_if(plan->outlook.begin(), plan->outlook.end(), [](const auto& o) { return !o.answered; });
+  figures_->add(tr("Edges of the unseen"), QString::number(plan->voids->patches.size()),
+                tr("%1 still attract views").arg(open));
+}
+
+}  // namespace vantage

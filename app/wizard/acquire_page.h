@@ -1,0 +1,51 @@
+#pragma once
+
+#include "wizard/wizard_page.h"
+
+class QLabel;
+class QPushButton;
+class QTabBar;
+
+namespace vantage {
+
+class FigureTable;
+class NextViewBox;
+
+/// Scanning: automatic, or assisted, where the operator turns the table.
+class AcquirePage final : public WizardPage {
+  Q_OBJECT
+
+ public:
+  explicit AcquirePage(SessionController& controller, QWidget* parent = nullptr);
+
+  [[nodiscard]] QString key() const override { return QStringLiteral("acquire"); }
+  [[nodiscard]] QString title() const override { return tr("Acquire"); }
+  [[nodiscard]] QString whatNext() const override;
+  [[nodiscard]] QString nextText() const override { return tr("&Next: review"); }
+  [[nodiscard]] bool complete() const override;
+  void entered() override;
+
+  void setAssisted(bool assisted);
+  [[nodiscard]] NextViewBox& nextView() { return *nextView_; }
+
+ private:
+  void build();
+  void refresh();
+  void refreshFigures();
+  [[nodiscard]] QString status() const;
+  [[nodiscard]] bool assisted() const;
+  [[nodiscard]] bool goesOn() const;
+
+  QTabBar* mode_;
+  QLabel* status_;
+  FigureTable* figures_;
+  NextViewBox* nextView_;
+  QPushButton* run_;
+  QPushButton* pause_;
+  QPushButton* step_;
+  QPushButton* stop_;
+  QPushButton* scan_;
+  QPushButton* end_;
+};
+
+}  // namespace vantage

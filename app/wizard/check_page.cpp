@@ -1,0 +1,107 @@
+#include "wizard/check_page.h"
+
+#include <QVBoxLayout>
+#include <cmath>
+
+#include "form_parts.h"
+#include "why_card.h"
+#include "wizard/volume_sketch.h"
+
+namespace vantage {
+
+CheckPage::CheckPage(SessionController& controller, QWidget* parent)
+    : WizardPage(controller, parent),
+      verdict_(makeLabel({})),
+      sketch_(new VolumeSketch),
+      figures_(new FigureTable),
+      fit_(makeButton(tr("&Fit the object into the volume"), QStringLiteral("fit"),
+                      tr("Scale and centre the object so that it stands inside the viewing volume."))),
+      turn_(makeButton(
+          tr("Make a &test turn"), QStringLiteral("testTurn"),
+          tr("Scan twice, a few positions apart, and compare the turn with the profile. Neither scan is kept."))),
+      turnVerdict_(makeLabel({})),
+      turnFigures_(new FigureTable) {
+  addSection(tr("Viewing volume"));
+  column().addWidget(verdict_);
+  column().addWidget(sketch_);
+  column().addWidget(figures_);
+  column().addWidget(fit_);
+  addSection(tr("Turntable"));
+  column().addWidget(turn_);
+  column().addWidget(turnVerdict_);
+  column().addWidget(turnFigures_);
+  column().addStretch();
+  connect(fit_, &QPushButton::clicked, this, &CheckPage::fit);
+  connect(turn_, &QPushButton::clicked, &controller, &SessionController::startTestTurn);
+  connect(&controller, &SessionController::setUpChanged, this, &CheckPage::refresh);
+  connect(&controller, &SessionController::activityChanged, this, &CheckPage::refresh);
+  connect(&controller, &SessionController::testTurnChanged, this, &CheckPage::refreshTestTurn);
+  refresh();
+  refreshTestTurn();
+}
+
+QString CheckPage::whatNext() const {
+  if (!controller().setUp()) return tr("Scanner and object are being read.");
+  return tr("The acquisition page opens. Scanning begins when you say so.");
+}
+
+bool CheckPage::complete() const {
+  return controller().setUp() && (controller().setUp()->object || controller().hasSession());
+}
+
+void CheckPage::entered() {
+  controller().prepare();
+  emit changed();
+}
+
+void CheckPage::fit() {
+  SetUpChoice choice = controller().choice();
+  choice.settings.placement = "fit";
+  controller().setChoice(choice);
+  controller().prepare();
+}
+
+void CheckPage::refresh() {
+  const SharedSetUp& setUp = controller().setUp();
+  sketch_->show(setUp);
+  figures_->clear();
+  const bool outside = setUp && setUp->object && !setUp->insideVolume;
+  fit_->setVisible(outside && !controller().hasSession());
+  turn_->setEnabled(setUp && setUp->object && setUp->profile && setUp->profile->workspace.steps > 1 &&
+                    controller().idle());
+  if (!setUp) {
+    verdict_->setText(controller().activity() == Activity::Preparing ? tr("Reading…") : tr("Nothing is chosen yet."));
+  } else if (!setUp->object) {
+    verdict_->setText(setUp->notes.empty() ? tr("There is no object to look at.")
+                                           : QString::fromStdString(setUp->notes));
+  } else {
+    verdict_->setText(outside ? tr("The object reaches out of the viewing volume: what is outside cannot be scanned.")
+                              : tr("The object stands inside the viewing volume."));
+    figures_->add(tr("Object, radius about the axis"), figureText(setUp->radius, 1) + tr(" mm"));
+    figures_->add(tr("Object, height"), figureText(setUp->height, 1) + tr(" mm"));
+    figures_->add(tr("Object, lowest point"), figureText(setUp->lowest, 1) + tr(" mm"), tr("0 is the table"));
+  }
+  verdict_->setProperty("role", outside ? "warning" : "");
+  if (setUp && setUp->profile) {
+    figures_->add(tr("Positions of the scanner"), QString::number(setUp->profile->workspace.size()));
+    figures_->add(tr("Ranging rays per scan"), QString::number(setUp->profile->rays->size()));
+  }
+  emit changed();
+}
+
+void CheckPage::refreshTestTurn() {
+  turnFigures_->clear();
+  const auto& result = controller().testTurnResult();
+  if (!result) {
+    turnVerdict_->setText(tr("A test turn tells whether the table turns about its axis as the profile says."));
+    return;
+  }
+  turnFigures_->add(tr("Turn by the profile"), angleText(result->expected));
+  turnFigures_->add(tr("Turn measured"), figureText(degrees(result->measured), 2) + QStringLiteral("°"));
+  turnFigures_->add(tr("Axis moved by"), figureText(result->axisOffset, 2) + tr(" mm"));
+  const bool failed = result->registration.verdict == Verdict::Failed;
+  turnVerdict_->setText(failed ? tr("The scans do not fit: %1").arg(QString::fromStdString(result->registration.reason))
+                               : tr("The scans fit. The table turns as expected."));
+}
+
+}  // namespace vantage

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "wizard/wizard_page.h"
+
+class QLabel;
+class QPushButton;
+
+namespace vantage {
+
+class FigureTable;
+class VolumeSketch;
+
+/// Whether the set-up fits: viewing volume, axis, and a test turn.
+class CheckPage final : public WizardPage {
+  Q_OBJECT
+
+ public:
+  explicit CheckPage(SessionController& controller, QWidget* parent = nullptr);
+
+  [[nodiscard]] QString key() const override { return QStringLiteral("check"); }
+  [[nodiscard]] QString title() const override { return tr("Check the set-up"); }
+  [[nodiscard]] QString whatNext() const override;
+  [[nodiscard]] QString nextText() const override { return tr("&Next: acquire"); }
+  [[nodiscard]] bool complete() const override;
+  void entered() override;
+
+ private:
+  void refresh();
+  void refreshTestTurn();
+  void fit();
+
+  QLabel* verdict_;
+  VolumeSketch* sketch_;
+  FigureTable* figures_;
+  QPushButton* fit_;
+  QPushButton* turn_;
+  QLabel* turnVerdict_;
+  FigureTable* turnFigures_;
+};
+
+}  // namespace vantage

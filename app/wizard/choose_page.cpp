@@ -1,0 +1,168 @@
+#include "wizard/choose_page.h"
+
+#include <QComboBox>
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QLineEdit>
+#include <QStandardPaths>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include "form_parts.h"
+#include "settings/field_form.h"
+
+namespace vantage {
+namespace {
+
+// A name for people: "rotating_stripe.json" is "Rotating stripe".
+QString readable(const QString& path) {
+  QString name = QFileInfo(path).completeBaseName().replace(QLatin1Char('_'), QLatin1Char(' '));
+  if (!name.isEmpty()) name[0] = name[0].toUpper();
+  return name;
+}
+
+void select(QComboBox& box, const QString& path) {
+  int index = box.findData(path);
+  if (index < 0) {
+    box.addItem(readable(path), path);
+    index = box.count() - 1;
+  }
+  box.setCurrentIndex(index);
+}
+
+QToolButton* browseButton(const QString& what) {
+  auto* button = new QToolButton;
+  button->setText(QStringLiteral("…"));
+  button->setToolTip(what);
+  button->setAccessibleName(what);
+  return button;
+}
+
+}  // namespace
+
+ChoosePage::ChoosePage(SessionController& controller, const QString& resources, QWidget* parent)
+    : WizardPage(controller, parent), resources_(resources) {
+  build();
+  fill(*scanner_, QStringLiteral("scanners"), QStringLiteral("*.json"), QStringLiteral("rotating_stripe.json"));
+  fill(*object_, QStringLiteral("objects"), QStringLiteral("*.ply"), QStringLiteral("mug.ply"));
+  suggestFolder();
+  connect(object_, &QComboBox::currentIndexChanged, this, [this] {
+    suggestFolder();
+    emit changed();
+  });
+  connect(scanner_, &QComboBox::currentIndexChanged, this, [this] { emit changed(); });
+  connect(folder_, &QLineEdit::textChanged, this, [this] { emit changed(); });
+  connect(&controller, &SessionController::sessionChanged, this, [this] {
+    if (!this->controller().hasSession()) suggestFolder();
+    entered();
+  });
+}
+
+QComboBox* ChoosePage::addFileRow(const QString& label, const QString& name, const QString& help,
+                                  const QString& filter) {
+  addSection(label);
+  auto* box = new QComboBox;
+  box->setObjectName(name);
+  box->setAccessibleName(label);
+  box->setToolTip(help);
+  box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  QToolButton* browse = browseButton(tr("Take another file"));
+  connect(browse, &QToolButton::clicked, this, [this, box, label, filter] {
+    const QString path = QFileDialog::getOpenFileName(this, label, {}, filter);
+    if (!path.isEmpty()) select(*box, path);
+  });
+  auto* row = new QHBoxLayout;
+  row->addWidget(box, 1);
+  row->addWidget(browse);
+  column().addLayout(row);
+  return box;
+}
+
+void ChoosePage::build() {
+  column().addWidget(
+      makeLabel(tr("Vantage scans an object from positions that it chooses itself, until nothing is left "
+                   "to see."),
+                "muted"));
+  scanner_ = addFileRow(tr("Scanner"), QStringLiteral("scanner"), tr("Profile of the scanner and its turntable."),
+                        tr("Scanner profiles (*.json)"));
+  object_ = addFileRow(tr("Object for the simulated scanner"), QStringLiteral("object"),
+                       tr("Mesh that the simulated scanner looks at."),
+                       tr("Meshes (*.ply *.stl *.obj *.off *.3mf);;All files (*)"));
+  addSection(tr("Save everything in"));
+  folder_ = new QLineEdit;
+  folder_->setObjectName(QStringLiteral("folder"));
+  folder_->setAccessibleName(tr("Folder of the session"));
+  QToolButton* browse = browseButton(tr("Take another folder"));
+  connect(browse, &QToolButton::clicked, this, [this] {
+    const QString path = QFileDialog::getExistingDirectory(this, tr("Folder of the session"), folder_->text());
+    if (!path.isEmpty()) folder_->setText(path);
+  });
+  auto* row = new QHBoxLayout;
+  row->addWidget(folder_, 1);
+  row->addWidget(browse);
+  column().addLayout(row);
+
+  addSection(tr("Options"));
+  more_ = new QWidget;
+  auto* form = new QFormLayout(more_);
+  form->setContentsMargins(0, 0, 0, 0);
+  fillForm(*form, acquisitionFields(), form_, [this] { emit changed(); });
+  column().addWidget(more_);
+  column().addStretch();
+  auto* open = makeButton(tr("&Open a session…"), QStringLiteral("open"), tr("Go on with a session from a file."));
+  connect(open, &QPushButton::clicked, this, &ChoosePage::openRequested);
+  column().addWidget(open);
+}
+
+void ChoosePage::fill(QComboBox& box, const QString& folder, const QString& pattern, const QString& preferred) {
+  const QDir directory(resources_ + QLatin1Char('/') + folder);
+  for (const QString& name : directory.entryList({pattern}, QDir::Files, QDir::Name))
+    box.addItem(readable(name), directory.filePath(name));
+  select(box, directory.filePath(preferred));
+}
+
+void ChoosePage::suggestFolder() {
+  const QString base = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation) +
+                       QStringLiteral("/Vantage/") + QFileInfo(object_->currentData().toString()).completeBaseName();
+  QString folder = base;
+  for (int i = 2; QFileInfo::exists(folder); ++i) folder = base + QLatin1Char('-') + QString::number(i);
+  folder_->setText(QDir::toNativeSeparators(folder));
+}
+
+SetUpChoice ChoosePage::choice() const {
+  SetUpChoice choice;
+  choice.scanner = scanner_->currentData().toString().toStdString();
+  choice.folder = folder_->text().toStdString();
+  choice.settings.object = object_->currentData().toString().toStdString();
+  form_.writeTo(choice.settings);
+  return choice;
+}
+
+bool ChoosePage::complete() const {
+  return !scanner_->currentData().toString().isEmpty() && !folder_->text().trimmed().isEmpty();
+}
+
+QString ChoosePage::whatNext() const {
+  return controller().hasSession() ? tr("The set-up of this session is shown. Its scanner and object stay as they are.")
+                                   : tr("Scanner and object are read and checked. Nothing is scanned yet.");
+}
+
+// What an open session was begun with cannot be changed any more.
+void ChoosePage::entered() {
+  const bool open = controller().hasSession();
+  const SetUpChoice& chosen = controller().choice();
+  if (open && !chosen.settings.object.empty()) select(*object_, QString::fromStdString(chosen.settings.object));
+  if (open) folder_->setText(QString::fromStdString(chosen.folder));
+  for (QWidget* editor :
+       {static_cast<QWidget*>(scanner_), static_cast<QWidget*>(object_), static_cast<QWidget*>(folder_), more_})
+    editor->setEnabled(!open);
+  emit changed();
+}
+
+void ChoosePage::leaving() {
+  if (!controller().hasSession()) controller().setChoice(choice());
+}
+
+}  // namespace vantage

@@ -1,0 +1,46 @@
+#pragma once
+
+#include "settings/acquisition_fields.h"
+#include "wizard/wizard_page.h"
+
+class QComboBox;
+class QLineEdit;
+class QToolButton;
+
+namespace vantage {
+
+/// Which scanner, which object, where to.
+class ChoosePage final : public WizardPage {
+  Q_OBJECT
+
+ public:
+  /// @param resources folder with scanners/ and objects/
+  ChoosePage(SessionController& controller, const QString& resources, QWidget* parent = nullptr);
+
+  [[nodiscard]] QString key() const override { return QStringLiteral("choose"); }
+  [[nodiscard]] QString title() const override { return tr("Scanner and object"); }
+  [[nodiscard]] QString whatNext() const override;
+  [[nodiscard]] QString nextText() const override { return tr("&Next: check the set-up"); }
+  [[nodiscard]] bool complete() const override;
+  void entered() override;
+  void leaving() override;
+
+ signals:
+  void openRequested();  ///< the operator wants to open a session
+
+ private:
+  void build();
+  void fill(QComboBox& box, const QString& folder, const QString& pattern, const QString& preferred);
+  QComboBox* addFileRow(const QString& label, const QString& name, const QString& help, const QString& filter);
+  void suggestFolder();
+  [[nodiscard]] SetUpChoice choice() const;
+
+  QString resources_;
+  QComboBox* scanner_ = nullptr;
+  QComboBox* object_ = nullptr;
+  QLineEdit* folder_ = nullptr;
+  QWidget* more_ = nullptr;
+  AcquisitionForm form_;
+};
+
+}  // namespace vantage

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "wizard/wizard_page.h"
+
+class QLabel;
+class QPushButton;
+
+namespace vantage {
+
+/// Model and report go out.
+class FinishPage final : public WizardPage {
+  Q_OBJECT
+
+ public:
+  explicit FinishPage(SessionController& controller, QWidget* parent = nullptr);
+
+  [[nodiscard]] QString key() const override { return QStringLiteral("finish"); }
+  [[nodiscard]] QString title() const override { return tr("Finish"); }
+  [[nodiscard]] QString whatNext() const override;
+  [[nodiscard]] QString nextText() const override { return tr("&New session"); }
+  [[nodiscard]] bool complete() const override;
+  void entered() override;
+  void leaving() override;
+
+ signals:
+  void reportRequested(const QString& path);  ///< with pictures, which a page cannot make
+
+ private:
+  QPushButton* addExport(const QString& text, const QString& name, const QString& file, const QString& help,
+                         bool primary);
+  [[nodiscard]] QString inFolder(const QString& file) const;
+  void refresh();
+
+  QLabel* place_;
+  QLabel* written_;
+  QList<QWidget*> exports_;
+};
+
+}  // namespace vantage

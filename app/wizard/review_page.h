@@ -1,0 +1,41 @@
+#pragma once
+
+#include "wizard/wizard_page.h"
+
+class QLabel;
+class QPushButton;
+class QTableWidget;
+
+namespace vantage {
+
+class FigureTable;
+
+/// What was covered, what is left and why.
+class ReviewPage final : public WizardPage {
+  Q_OBJECT
+
+ public:
+  explicit ReviewPage(SessionController& controller, QWidget* parent = nullptr);
+
+  [[nodiscard]] QString key() const override { return QStringLiteral("review"); }
+  [[nodiscard]] QString title() const override { return tr("Review"); }
+  [[nodiscard]] QString whatNext() const override { return tr("Model and report are written where you say."); }
+  [[nodiscard]] QString nextText() const override { return tr("&Next: finish"); }
+  [[nodiscard]] bool complete() const override;
+  void entered() override;
+
+ private:
+  void refresh();
+  void refreshLeft(const AcquisitionState& state);
+  void refreshViews(const AcquisitionState& state);
+  void addView(const ViewRecord& record, bool leftOut);
+  void toggle();
+
+  QLabel* reason_;
+  FigureTable* figures_;
+  FigureTable* left_;
+  QTableWidget* views_;
+  QPushButton* toggle_;
+};
+
+}  // namespace vantage

@@ -1,0 +1,124 @@
+#include "wizard/wizard.h"
+
+#include <QFrame>
+#include <QHBoxLayout>
+#include <QScrollArea>
+#include <QStackedWidget>
+#include <QVBoxLayout>
+
+#include "form_parts.h"
+
+namespace vantage {
+
+Wizard::Wizard(SessionController& controller, const QString& resources, QWidget* parent)
+    : QWidget(parent),
+      controller_(controller),
+      choose_(new ChoosePage(controller, resources)),
+      acquire_(new AcquirePage(controller)),
+      finish_(new FinishPage(controller)),
+      where_(makeLabel({}, "muted")),
+      title_(makeLabel({}, "title")),
+      whatNext_(makeLabel({})),
+      stack_(new QStackedWidget),
+      back_(makeButton(tr("&Back"), QStringLiteral("back"), tr("The page before; nothing is lost."))),
+      next_(makeButton({}, QStringLiteral("next"), {}, true)) {
+  build();
+  addPage(choose_);
+  addPage(new CheckPage(controller));
+  addPage(acquire_);
+  addPage(new ReviewPage(controller));
+  addPage(finish_);
+  connect(back_, &QPushButton::clicked, this, &Wizard::goBack);
+  connect(next_, &QPushButton::clicked, this, &Wizard::goOn);
+  connect(&controller, &SessionController::sessionChanged, this, &Wizard::reopen);
+  refresh();
+}
+
+void Wizard::build() {
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  auto* head = new QVBoxLayout;
+  head->setContentsMargins(12, 10, 12, 0);
+  head->setSpacing(0);
+  head->addWidget(where_);
+  head->addWidget(title_);
+  column->addLayout(head);
+  column->addWidget(stack_, 1);
+  auto* foot = new QVBoxLayout;
+  foot->setContentsMargins(12, 4, 12, 10);
+  auto* line = new QFrame;
+  line->setFrameShape(QFrame::HLine);
+  line->setFrameShadow(QFrame::Sunken);
+  foot->addWidget(line);
+  foot->addWidget(makeLabel(tr("What happens next"), "muted"));
+  foot->addWidget(whatNext_);
+  auto* buttons = new QHBoxLayout;
+  buttons->addWidget(back_);
+  buttons->addWidget(next_, 1);
+  foot->addLayout(buttons);
+  column->addLayout(foot);
+  setMinimumWidth(320);
+}
+
+void Wizard::addPage(WizardPage* page) {
+  auto* scroll = new QScrollArea;
+  scroll->setWidgetResizable(true);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll->setWidget(page);
+  stack_->addWidget(scroll);
+  pages_.push_back(page);
+  connect(page, &WizardPage::changed, this, &Wizard::refresh);
+  connect(page, &WizardPage::finished, this, [this, page] {
+    if (pages_[static_cast<std::size_t>(index_)] == page) goTo(index_ + 1);
+  });
+}
+
+void Wizard::goTo(int index) {
+  if (index < 0 || index >= pageCount()) return;
+  index_ = index;
+  stack_->setCurrentIndex(index);
+  controller_.rememberPage(page().key());
+  pages_[static_cast<std::size_t>(index)]->entered();
+  refresh();
+}
+
+void Wizard::goTo(const QString& key) {
+  for (int i = 0; i < pageCount(); ++i)
+    if (pages_[static_cast<std::size_t>(i)]->key() == key) return goTo(i);
+}
+
+void Wizard::goOn() {
+  if (!page().complete()) return;
+  pages_[static_cast<std::size_t>(index_)]->leaving();
+  goTo((index_ + 1) % pageCount());
+}
+
+void Wizard::goBack() {
+  goTo(index_ - 1);
+}
+
+// A session that was opened shows the page it was left at; one that was just begun stays where it is.
+void Wizard::reopen() {
+  const bool opened = controller_.hasSession() && !hadSession_;
+  hadSession_ = controller_.hasSession();
+  if (!hadSession_) return refresh();
+  if (controller_.page().isEmpty())
+    controller_.rememberPage(page().key());
+  else if (opened)
+    goTo(controller_.page());
+  refresh();
+}
+
+void Wizard::refresh() {
+  where_->setText(tr("Step %1 of %2").arg(index_ + 1).arg(pageCount()));
+  title_->setText(page().title());
+  whatNext_->setText(page().whatNext());
+  back_->setEnabled(index_ > 0);
+  next_->setText(page().nextText());
+  next_->setAccessibleName(QString(page().nextText()).remove(QLatin1Char('&')));
+  next_->setAccessibleDescription(page().whatNext());
+  next_->setEnabled(page().complete());
+}
+
+}  // namespace vantage

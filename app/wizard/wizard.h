@@ -1,0 +1,61 @@
+#pragma once
+
+#include <QWidget>
+#include <vector>
+
+#include "wizard/acquire_page.h"
+#include "wizard/check_page.h"
+#include "wizard/choose_page.h"
+#include "wizard/finish_page.h"
+#include "wizard/review_page.h"
+
+class QStackedWidget;
+class QScrollArea;
+
+namespace vantage {
+
+/// The way through a session, page by page: where one is, what the page asks, and what happens next. Going back loses
+/// nothing; the page is kept in the session.
+class Wizard final : public QWidget {
+  Q_OBJECT
+
+ public:
+  Wizard(SessionController& controller, const QString& resources, QWidget* parent = nullptr);
+
+  void goTo(int index);
+  void goTo(const QString& key);
+  [[nodiscard]] int pageCount() const { return static_cast<int>(pages_.size()); }
+  [[nodiscard]] int index() const { return index_; }
+  [[nodiscard]] const WizardPage& page() const { return *pages_[static_cast<std::size_t>(index_)]; }
+
+  [[nodiscard]] ChoosePage& choosePage() { return *choose_; }
+  [[nodiscard]] AcquirePage& acquirePage() { return *acquire_; }
+  [[nodiscard]] FinishPage& finishPage() { return *finish_; }
+
+ public slots:
+  void goOn();
+  void goBack();
+
+ private:
+  void build();
+  void addPage(WizardPage* page);
+  void refresh();
+  void reopen();
+
+  SessionController& controller_;
+  ChoosePage* choose_;
+  AcquirePage* acquire_;
+  FinishPage* finish_;
+  std::vector<WizardPage*> pages_;
+  int index_ = 0;
+  bool hadSession_ = false;
+
+  QLabel* where_;
+  QLabel* title_;
+  QLabel* whatNext_;
+  QStackedWidget* stack_;
+  QPushButton* back_;
+  QPushButton* next_;
+};
+
+}  // namespace vantage

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <QWidget>
+
+#include "session_controller.h"
+
+class QVBoxLayout;
+
+namespace vantage {
+
+/// One page of the wizard. It shows what the controller knows and asks the controller for everything.
+class WizardPage : public QWidget {
+  Q_OBJECT
+
+ public:
+  WizardPage(SessionController& controller, QWidget* parent = nullptr);
+
+  [[nodiscard]] virtual QString key() const = 0;  ///< in the session file
+  [[nodiscard]] virtual QString title() const = 0;
+  [[nodiscard]] virtual QString whatNext() const = 0;  ///< one sentence: what going on will do
+  [[nodiscard]] virtual QString nextText() const = 0;  ///< on the button; empty hides it
+  [[nodiscard]] virtual bool complete() const = 0;     ///< one may go on
+  virtual void entered() {}                            ///< the page has come up
+  virtual void leaving() {}                            ///< one goes on from here
+
+ signals:
+  void changed();   ///< title, texts or completeness
+  void finished();  ///< go on without being asked
+
+ protected:
+  [[nodiscard]] SessionController& controller() const { return controller_; }
+  [[nodiscard]] QVBoxLayout& column() const { return *column_; }
+  /// Adds a heading.
+  void addSection(const QString& text);
+
+ private:
+  SessionController& controller_;
+  QVBoxLayout* column_;
+};
+
+}  // namespace vantage

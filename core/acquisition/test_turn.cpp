@@ -1,0 +1,47 @@
+#include "acquisition/test_turn.h"
+
+#include <cmath>
+#include <string>
+
+#include "base/errors.h"
+#include "registration/pose_prior.h"
+#include "registration/registration_target.h"
+#include "scanner/table_turn.h"
+#include "scanner/triangulation.h"
+
+namespace vantage {
+namespace {
+
+double turnAboutZ(const Pose& pose) {
+  return std::atan2(pose.linear()(1, 0) - pose.linear()(0, 1), pose.linear()(0, 0) + pose.linear()(1, 1));
+}
+
+}  // namespace
+
+TestTurn testTurn(ScannerDevice& scanner, const ScannerProfile& profile, int from, int to, const Progress& progress) {
+  TestTurn result;
+  result.expected = -turnBetween(profile.workspace, from, to).angle;
+  TriangulationOptions triangulation;
+  triangulation.breakdownAngle = profile.breakdownAngle;
+
+  const RangeImage first = scanner.scan(from, progress.part(0.0, 0.25, "scan"));
+  const RangeImage second = scanner.scan(to, progress.part(0.25, 0.5, "scan"));
+  const Progress registering = progress.part(0.5, 1.0, "register");
+  registering.checkpoint(0.0);
+  const ViewMesh a = triangulate(first, triangulation);
+  if (a.mesh.empty())
+    throw InvalidInput("the scan from position " + std::to_string(from) +
+                       " has no surface: is the object inside the viewing volume?");
+  IcpOptions options;
+  options.prior = turntablePrior(profile.mechanics);
+  result.samples = first.sampleCount();
+  const RegistrationTarget target(transformed(a.mesh, first.T_object_scanner), a.confidence);
+  result.registration = registerView(triangulate(second, triangulation), *second.rays, second.T_object_scanner, target,
+                                     options, registering);
+  const Pose error = result.registration.T_object_scanner * second.T_object_scanner.inverse();
+  result.measured = result.expected + turnAboutZ(error);
+  result.axisOffset = error.translation().head<2>().norm();
+  return result;
+}
+
+}  // namespace vantage

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+
+#include "base/progress.h"
+#include "registration/icp.h"
+#include "scanner/device.h"
+#include "scanner/profile.h"
+
+namespace vantage {
+
+/// What two scans told about a turntable: whether it turned as the profile says.
+struct TestTurn {
+  double expected = 0.0;    ///< turn of the scanner about the object, counter-clockwise from above [rad]
+  double measured = 0.0;    ///< the same as the scans were found [rad]
+  double axisOffset = 0.0;  ///< how far the axis moved sideways between the scans [mm]
+  std::size_t samples = 0;  ///< of the first scan
+  RegistrationResult registration;
+};
+
+/// Scans from two positions and registers the second scan with the first. Neither is kept. Steps reported: scan,
+/// register.
+/// @throws InvalidInput when the first scan has no surface or the workspace lacks a position; DeviceError, Cancelled
+[[nodiscard]] TestTurn testTurn(ScannerDevice& scanner, const ScannerProfile& profile, int from, int to,
+                                const Progress& progress);
+
+}  // namespace vantage

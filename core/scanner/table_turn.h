@@ -1,0 +1,18 @@
+#pragma once
+
+#include "scanner/workspace.h"
+
+namespace vantage {
+
+/// How an operator gets from one position to another: by turning the table, and by tilting the scanner.
+struct TableTurn {
+  double angle = 0.0;  ///< of the table, counter-clockwise seen from above, the shorter way, in (-pi, pi] [rad]
+  double tilt = 0.0;   ///< of the scanner; positive raises it so that it looks farther down [rad]
+};
+
+/// The scanner's poses are relative to the object: where the scanner goes round the object counter-clockwise, the table
+/// turns clockwise.
+/// @throws InvalidInput when the workspace has no such position.
+[[nodiscard]] TableTurn turnBetween(const Workspace& workspace, int from, int to);
+
+}  // namespace vantage

@@ -1,0 +1,224 @@
+#include "session_controller.h"
+
+#include <gtest/gtest.h>
+
+#include <QFile>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <fstream>
+
+#include "core/acquisition/small_scene.h"
+#include "io/mesh_writer.h"
+
+namespace vantage {
+namespace {
+
+// A controller that works at once, before a small object and a coarse scanner in a folder of their own.
+class SessionControllerTest : public ::testing::Test {
+ protected:
+  SessionControllerTest() {
+    std::ofstream(path("scanner.json").toStdString()) << testing::smallProfileSource().text;
+    exportMesh(testing::smallObject(), path("object.ply").toStdString());
+    controller_ = make();
+    QObject::connect(controller_.get(), &SessionController::failed, [this](const QString& what) { failure_ = what; });
+  }
+
+  std::unique_ptr<SessionController> make() { return std::make_unique<SessionController>(jobs_, ""); }
+
+  [[nodiscard]] QString path(const QString& name) const { return folder_.filePath(name); }
+
+  [[nodiscard]] SetUpChoice choice(int maxViews = 3) const {
+    SetUpChoice choice;
+    choice.scanner = path("scanner.json").toStdString();
+    choice.folder = path("out").toStdString();
+    choice.settings.object = path("object.ply").toStdString();
+    choice.settings.maxViews = maxViews;
+    return choice;
+  }
+
+  void prepare(int maxViews = 3) {
+    controller_->setChoice(choice(maxViews));
+    controller_->prepare();
+  }
+
+  static QByteArray bytesOf(const QString& name) {
+    QFile file(name);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+  }
+
+  QTemporaryDir folder_;
+  SynchronousJobRunner jobs_;
+  std::unique_ptr<SessionController> controller_;
+  QString failure_;
+};
+
+TEST_F(SessionControllerTest, PreparesAndChecksTheSetUp) {
+  prepare();
+  ASSERT_TRUE(controller_->setUp());
+  EXPECT_TRUE(controller_->setUp()->insideVolume);
+  EXPECT_GT(controller_->setUp()->height, 50.0);
+  EXPECT_FALSE(controller_->hasSession());
+}
+
+TEST_F(SessionControllerTest, KeepsWhatIsPreparedWhenNothingWasChanged) {
+  prepare();
+  const SharedSetUp before = controller_->setUp();
+  controller_->setChoice(choice());
+  EXPECT_EQ(controller_->setUp(), before);
+  controller_->setChoice(choice(4));
+  EXPECT_FALSE(controller_->setUp());
+}
+
+TEST_F(SessionControllerTest, SaysWhatIsWrongWithAFile) {
+  SetUpChoice broken = choice();
+  broken.settings.object = path("nothing.ply").toStdString();
+  controller_->setChoice(broken);
+  controller_->prepare();
+  EXPECT_TRUE(failure_.contains("nothing.ply"));
+  EXPECT_TRUE(controller_->idle());
+}
+
+TEST_F(SessionControllerTest, TestTurnKeepsNothing) {
+  prepare();
+  controller_->startTestTurn();
+  ASSERT_TRUE(controller_->testTurnResult());
+  EXPECT_NEAR(controller_->testTurnResult()->expected, radians(30.0), 1e-9);
+  EXPECT_FALSE(controller_->hasSession());
+}
+
+TEST_F(SessionControllerTest, RunsToTheEndAndTellsSo) {
+  prepare();
+  QSignalSpy ended(controller_.get(), &SessionController::runEnded);
+  controller_->run();
+  EXPECT_TRUE(failure_.isEmpty()) << failure_.toStdString();
+  EXPECT_EQ(ended.count(), 1);
+  ASSERT_TRUE(controller_->now());
+  EXPECT_EQ(controller_->now()->views.size(), 3U);
+  EXPECT_EQ(controller_->now()->termination, Termination::MaxViews);
+  EXPECT_EQ(controller_->moments().size(), 4U);  // the set-up and three scans
+}
+
+TEST_F(SessionControllerTest, StepsLeadToTheSameModelAsARun) {
+  prepare();
+  for (int i = 0; i < 3; ++i) controller_->step();
+  controller_->exportModel(path("steps.stl"));
+  controller_->close();
+  prepare();
+  controller_->run();
+  controller_->exportModel(path("run.stl"));
+  ASSERT_FALSE(bytesOf(path("run.stl")).isEmpty());
+  EXPECT_EQ(bytesOf(path("run.stl")), bytesOf(path("steps.stl")));
+}
+
+TEST_F(SessionControllerTest, UndoAndRedoMoveThroughTheScans) {
+  prepare();
+  controller_->step();
+  controller_->step();
+  const SharedState two = controller_->now();
+  controller_->undo();
+  EXPECT_EQ(controller_->now()->views.size(), 1U);
+  EXPECT_TRUE(controller_->moments().back().undone);
+  controller_->redo();
+  EXPECT_EQ(controller_->now()->views.size(), 2U);
+  EXPECT_EQ(controller_->now()->records.back().position, two->records.back().position);
+  EXPECT_FALSE(controller_->canRedo());
+}
+
+TEST_F(SessionControllerTest, TheOperatorMayChooseAnotherPosition) {
+  prepare();
+  controller_->step();
+  const int proposed = controller_->next().position;
+  const int other = (proposed + 2) % 24;
+  controller_->choosePosition(other);
+  EXPECT_EQ(controller_->next().position, other);
+  controller_->choosePosition(-1);
+  EXPECT_EQ(controller_->next().position, proposed);
+  controller_->choosePosition(other);
+  controller_->step();
+  EXPECT_EQ(controller_->now()->views.back().image->position, other);
+}
+
+TEST_F(SessionControllerTest, ShowsAnEarlierMomentWithoutChangingNow) {
+  prepare();
+  controller_->run();
+  controller_->showMoment(1);
+  EXPECT_FALSE(controller_->showsNow());
+  EXPECT_EQ(controller_->shown()->views.size(), 1U);
+  EXPECT_EQ(controller_->now()->views.size(), 3U);
+  controller_->showNow();
+  EXPECT_EQ(controller_->shown(), controller_->now());
+}
+
+TEST_F(SessionControllerTest, LeavesAViewOutAndTakesItBack) {
+  prepare();
+  controller_->run();
+  const std::int64_t scan = controller_->now()->records[1].scan;
+  controller_->leaveOut(scan);
+  EXPECT_EQ(controller_->now()->views.size(), 2U);
+  EXPECT_EQ(controller_->now()->leftOut.size(), 1U);
+  controller_->takeBack(scan);
+  EXPECT_EQ(controller_->now()->views.size(), 3U);
+}
+
+TEST_F(SessionControllerTest, ASessionReopensAtItsPageWithEveryScan) {
+  prepare();
+  controller_->step();
+  controller_->step();
+  controller_->rememberPage("review");
+  const QString session = controller_->sessionPath();
+  controller_ = nullptr;
+
+  controller_ = make();
+  controller_->open(session);
+  ASSERT_TRUE(controller_->hasSession());
+  EXPECT_EQ(controller_->page(), "review");
+  EXPECT_EQ(controller_->now()->views.size(), 2U);
+  controller_->step();
+  EXPECT_EQ(controller_->now()->views.size(), 3U);
+}
+
+TEST_F(SessionControllerTest, CancellingAStepLeavesNoTrace) {
+  prepare();
+  controller_->step();
+  const auto stop = QObject::connect(&jobs_, &JobRunner::progressed, [this](int job, double, const QString& step) {
+    if (step == "integrate") jobs_.cancel(job);
+  });
+  controller_->step();
+  QObject::disconnect(stop);
+  EXPECT_EQ(controller_->now()->views.size(), 1U);
+  EXPECT_TRUE(controller_->idle());
+  controller_->step();
+  EXPECT_EQ(controller_->now()->views.size(), 2U);
+}
+
+TEST_F(SessionControllerTest, PauseEndsARunAfterTheStepThatIsUnderWay) {
+  prepare();
+  const auto pause = QObject::connect(&jobs_, &JobRunner::progressed, [this](int, double, const QString& step) {
+    if (step == "choose") controller_->pause();
+  });
+  controller_->run();
+  QObject::disconnect(pause);
+  EXPECT_EQ(controller_->now()->views.size(), 1U);
+  EXPECT_EQ(controller_->now()->termination, Termination::Running);
+}
+
+TEST_F(SessionControllerTest, AdvisesWhichWayToTurnTheTable) {
+  prepare();
+  controller_->step();
+  const int at = controller_->now()->views.back().image->position;
+  const auto advice = controller_->turnTo((at + 1) % 24);
+  ASSERT_TRUE(advice);
+  EXPECT_NEAR(advice->turn.angle, -radians(15.0), 1e-9);
+  EXPECT_NEAR(std::remainder(advice->to - advice->from, 2 * kPi), radians(15.0), 1e-9);
+  EXPECT_FALSE(controller_->turnTo(99));
+}
+
+TEST_F(SessionControllerTest, WritesTheReport) {
+  prepare();
+  controller_->step();
+  controller_->writeReport(path("report.html"), {});
+  EXPECT_TRUE(bytesOf(path("report.html")).contains("</html>"));
+}
+
+}  // namespace
+}  // namespace vantage

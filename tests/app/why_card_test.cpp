@@ -1,0 +1,99 @@
+#include "why_card.h"
+
+#include <gtest/gtest.h>
+
+namespace vantage {
+namespace {
+
+// Three positions: 0 overlaps too little, 1 is chosen, 2 is allowed.
+std::shared_ptr<const Plan> makePlan() {
+  auto plan = std::make_shared<Plan>();
+  auto voids = std::make_shared<VoidSurface>();
+  for (const auto edgeClass : {EdgeClass::OuterJump, EdgeClass::Rim}) {
+    VoidPatch patch;
+    patch.edgeClass = edgeClass;
+    patch.weight = 12.5;
+    voids->patches.push_back(patch);
+  }
+  plan->voids = voids;
+  plan->outcome = PlanOutcome::Found;
+  plan->position = 1;
+  plan->leastOverlap = 200.0;
+  plan->terminationThreshold = 25.0;
+  for (const auto& [voidArea, overlap, constraint, shortBy] :
+       {std::tuple{900.0, 150.0, Constraint::OverlapShort, 50.0}, std::tuple{600.0, 800.0, Constraint::Chosen, 0.0},
+        std::tuple{450.0, 1000.0, Constraint::Outscored, 0.0}}) {
+    PositionScore score;
+    score.position = static_cast<int>(plan->scores.size());
+    score.voidArea = voidArea;
+    score.overlapArea = overlap;
+    score.constraint = constraint;
+    score.shortBy = shortBy;
+    plan->scores.push_back(score);
+  }
+  plan->scores[1].tracedVoidArea = 620.0;
+  plan->scores[1].patches = {0, 1};
+  plan->scores[1].poseSigma = 0.0123;
+  plan->scores[1].weakDirection = "turns about z";
+  return plan;
+}
+
+WhyCard cardOf(int position) {
+  const auto plan = makePlan();
+  return makeWhyCard({explain(*plan, position), plan, nullptr, nullptr});
+}
+
+const WhyFigure* find(const std::vector<WhyFigure>& figures, const QString& name) {
+  for (const WhyFigure& figure : figures)
+    if (figure.name.contains(name)) return &figure;
+  return nullptr;
+}
+
+TEST(WhyCard, SaysWhatTheChosenPositionWinsAndWhatRegistrationWillBeWorth) {
+  const WhyCard card = cardOf(1);
+  EXPECT_EQ(card.title, "Position 1");
+  EXPECT_TRUE(card.verdict.startsWith("Chosen"));
+  EXPECT_EQ(find(card.figures, "o_v")->value, "620 mm²");
+  EXPECT_EQ(find(card.figures, "by positional space")->value, "600 mm²");
+  EXPECT_EQ(find(card.figures, "o_s")->value, "800 mm²");
+  EXPECT_EQ(find(card.figures, "Registration error")->value, "0.012 mm");
+  EXPECT_TRUE(find(card.figures, "Registration error")->remark.contains("turns about z"));
+  EXPECT_EQ(find(card.figures, "patches")->value, "2");
+  EXPECT_EQ(find(card.figures, "patches")->remark, "1 outer jumps, 1 rim");
+  EXPECT_EQ(card.comparison, "The runner-up, position 2, shows 170 mm² less and overlaps 200 mm² more.");
+}
+
+TEST(WhyCard, NamesTheConstraintThatBindsAndByHowMuch) {
+  const WhyCard card = cardOf(0);
+  EXPECT_TRUE(card.verdict.contains("overlap"));
+  EXPECT_TRUE(card.verdict.contains("short by 50.0 mm²"));
+  EXPECT_TRUE(find(card.figures, "o_s")->remark.contains("t = 200 mm²"));
+  EXPECT_EQ(card.comparison, "The chosen position 1 shows 280 mm² less and overlaps 650 mm² more.");
+}
+
+TEST(WhyCard, ComparesAnAllowedPositionWithTheChoice) {
+  EXPECT_EQ(cardOf(2).comparison, "The chosen position 1 shows 170 mm² more and overlaps 200 mm² less.");
+}
+
+TEST(WhyCard, AddsWhatKeepsPatchesFromSightOnceItIsComputed) {
+  const auto plan = makePlan();
+  auto sight = std::make_shared<PositionSight>();
+  sight->patches = {{Visibility::LightBlocked, 0.5, 77}, {Visibility::Seen, 0.9, kNoIndex}};
+  sight->counts[static_cast<std::size_t>(Visibility::LightBlocked)] = 1;
+  sight->areas[static_cast<std::size_t>(Visibility::LightBlocked)] = 12.5;
+  const WhyCard card = makeWhyCard({explain(*plan, 2), plan, sight, nullptr});
+  const WhyFigure* light = find(card.sights, "light blocked");
+  ASSERT_NE(light, nullptr);
+  EXPECT_EQ(light->value, "12.5 mm²");
+  EXPECT_TRUE(light->remark.contains("triangle 77"));
+  EXPECT_EQ(card.sights.size(), kVisibilities);
+}
+
+TEST(WhyCard, SaysWhenNothingElseIsAllowed) {
+  auto plan = std::make_shared<Plan>(*makePlan());
+  plan->scores[2].constraint = Constraint::BelowThreshold;
+  EXPECT_EQ(makeWhyCard({explain(*plan, 1), plan, nullptr, nullptr}).comparison, "No other position is allowed.");
+}
+
+}  // namespace
+}  // namespace vantage

@@ -1,0 +1,199 @@
+// The real window with its OpenGL views, driven by clicks through the whole wizard. Needs a display: with_display.sh
+// gives it one.
+#include <gtest/gtest.h>
+
+#include <QAbstractButton>
+#include <QApplication>
+#include <QComboBox>
+#include <QElapsedTimer>
+#include <QFile>
+#include <QLineEdit>
+#include <QProcess>
+#include <QSpinBox>
+#include <QStandardPaths>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QTimer>
+
+#include "main_window.h"
+
+namespace vantage {
+namespace {
+
+constexpr int kViews = 3;
+constexpr int kPatience = 200000;    // [ms] for a whole acquisition on a busy machine
+constexpr int kLongestBlock = 100;   // [ms] that the window may not answer
+constexpr int kLongestCancel = 500;  // [ms] until a cancelled step has ended
+
+// The window as main makes it, and the hands of an operator.
+class Operator {
+ public:
+  explicit Operator(const QString& folder) {
+    window_.resize(1280, 800);
+    window_.show();
+    QSpinBox* views = window_.findChild<QSpinBox*>("max_views");
+    views->setValue(kViews);
+    window_.findChild<QLineEdit*>("folder")->setText(folder);
+  }
+
+  // Clicks a button that is in sight and enabled.
+  void click(const char* name) {
+    for (auto* button : window_.findChildren<QAbstractButton*>(name)) {
+      if (!button->isVisible()) continue;
+      ASSERT_TRUE(QTest::qWaitFor([&] { return button->isEnabled(); }, kPatience)) << name;
+      QTest::mouseClick(button, Qt::LeftButton);
+      ++clicks_;
+      return;
+    }
+    FAIL() << "no button " << name << " in sight";
+  }
+
+  [[nodiscard]] bool waitForPage(const char* key) {
+    return QTest::qWaitFor([&] { return window_.wizard().page().key() == key; }, kPatience);
+  }
+  [[nodiscard]] bool waitUntilIdle() {
+    return QTest::qWaitFor([&] { return controller_.idle(); }, kPatience);
+  }
+
+  [[nodiscard]] int clicks() const { return clicks_; }
+  SessionController& controller() { return controller_; }
+  MainWindow& window() { return window_; }
+
+ private:
+  ThreadedJobRunner jobs_{machineThreads()};
+  SessionController controller_{jobs_, QStandardPaths::writableLocation(QStandardPaths::CacheLocation).toStdString()};
+  MainWindow window_{{controller_, jobs_, glSurfaces(), QStringLiteral(VANTAGE_RESOURCES)}, Preferences{}};
+  int clicks_ = 0;
+};
+
+// Measures the longest time that the event loop did not come round.
+class Watchdog {
+ public:
+  Watchdog() {
+    timer_.setInterval(5);
+    timer_.setTimerType(Qt::PreciseTimer);
+    QObject::connect(&timer_, &QTimer::timeout, [this] { longest_ = std::max(longest_, clock_.restart()); });
+    clock_.start();
+    timer_.start();
+  }
+  [[nodiscard]] qint64 longest() const { return longest_; }
+
+ private:
+  QTimer timer_;
+  QElapsedTimer clock_;
+  qint64 longest_ = 0;
+};
+
+QByteArray bytesOf(const QString& path) {
+  QFile file(path);
+  return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+TEST(Wizard, LeadsToTheModelOfTheCommandLineInSixClicks) {
+  QTemporaryDir folder;
+  Operator me(folder.filePath("window"));
+  me.click("next");
+  ASSERT_TRUE(me.waitForPage("check"));
+  me.click("next");
+  ASSERT_TRUE(me.waitForPage("acquire"));
+  Watchdog watchdog;
+  me.click("run");
+  ASSERT_TRUE(me.waitForPage("review"));
+  RecordProperty("longest_block_ms", static_cast<int>(watchdog.longest()));
+  EXPECT_LE(watchdog.longest(), kLongestBlock);
+  me.click("next");
+  ASSERT_TRUE(me.waitForPage("finish"));
+  me.click("exportStl");
+  ASSERT_TRUE(me.waitUntilIdle());
+  EXPECT_LE(me.clicks(), 6);
+
+  QProcess cli;
+  const QString resources = VANTAGE_RESOURCES;
+  cli.start(VANTAGE_CLI, {"acquire", "--object", resources + "/objects/mug.ply", "--scanner",
+                          resources + "/scanners/rotating_stripe.json", "--max-views", QString::number(kViews), "--out",
+                          folder.filePath("cli")});
+  ASSERT_TRUE(cli.waitForFinished(kPatience));
+  ASSERT_EQ(cli.exitCode(), 0) << cli.readAllStandardError().toStdString();
+  const QByteArray model = bytesOf(folder.filePath("window/model.stl"));
+  ASSERT_FALSE(model.isEmpty());
+  EXPECT_EQ(model, bytesOf(folder.filePath("cli/model.stl")));
+}
+
+TEST(Wizard, StopIsAnsweredAtOnceWhateverIsBeingComputed) {
+  QTemporaryDir folder;
+  Operator me(folder.filePath("window"));
+  me.click("next");
+  me.click("next");
+  ASSERT_TRUE(me.waitForPage("acquire"));
+  for (const int moment : {100, 400, 900, 1700, 2600}) {
+    me.click("run");
+    QTest::qWait(moment);
+    QElapsedTimer timer;
+    timer.start();
+    me.controller().stop();
+    ASSERT_TRUE(me.waitUntilIdle());
+    EXPECT_LE(timer.elapsed(), kLongestCancel) << "stopped after " << moment << " ms";
+    if (me.controller().now() && me.controller().now()->termination != Termination::Running) break;
+  }
+}
+
+TEST(Wizard, GoingBackLosesNothing) {
+  QTemporaryDir folder;
+  Operator me(folder.filePath("window"));
+  me.click("next");
+  me.click("next");
+  me.click("step");
+  ASSERT_TRUE(me.waitUntilIdle());
+  ASSERT_TRUE(me.controller().now());
+  me.click("back");
+  me.click("back");
+  EXPECT_EQ(me.window().wizard().page().key(), "choose");
+  EXPECT_EQ(me.window().findChild<QLineEdit*>("folder")->text(), folder.filePath("window"));
+  me.click("next");
+  me.click("next");
+  EXPECT_EQ(me.window().wizard().page().key(), "acquire");
+  EXPECT_EQ(me.controller().now()->views.size(), 1U);
+}
+
+// What the next test kills. Tells on its standard output what it has done.
+TEST(Wizard, DISABLED_RunsUntilItIsKilled) {
+  Operator me(qEnvironmentVariable("VANTAGE_TEST_FOLDER"));
+  me.click("next");
+  me.click("next");
+  QObject::connect(&me.controller(), &SessionController::stateChanged, [&] {
+    std::printf("views %d\n", static_cast<int>(me.controller().now()->views.size()));
+    std::fflush(stdout);
+  });
+  me.click("run");
+  QTest::qWait(kPatience);
+}
+
+TEST(Wizard, ReopensAtTheSamePageWithEveryScanAfterBeingKilled) {
+  QTemporaryDir folder;
+  QProcess victim;
+  QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+  environment.insert("VANTAGE_TEST_FOLDER", folder.path());
+  victim.setProcessEnvironment(environment);
+  victim.start(QCoreApplication::applicationFilePath(),
+               {"--gtest_also_run_disabled_tests", "--gtest_filter=Wizard.DISABLED_RunsUntilItIsKilled"});
+  QByteArray said;
+  ASSERT_TRUE(QTest::qWaitFor(
+      [&] {
+        said += victim.readAllStandardOutput();
+        return said.contains("views 2") || victim.state() == QProcess::NotRunning;
+      },
+      kPatience));
+  ASSERT_TRUE(said.contains("views 2")) << said.toStdString();
+  victim.kill();
+  ASSERT_TRUE(victim.waitForFinished());
+
+  Operator me(folder.filePath("unused"));
+  me.controller().open(folder.filePath("session.vantage"));
+  ASSERT_TRUE(me.waitUntilIdle());
+  ASSERT_TRUE(me.controller().hasSession());
+  EXPECT_EQ(me.window().wizard().page().key(), "acquire");
+  EXPECT_GE(me.controller().now()->views.size(), 2U);
+}
+
+}  // namespace
+}  // namespace vantage

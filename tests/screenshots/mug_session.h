@@ -1,0 +1,16 @@
+#pragma once
+
+#include <vector>
+
+#include "layers/view_snapshot.h"
+
+namespace vantage::testing {
+
+/// The sample mug as a coarse scanner acquires it: snapshots after every view, made once per program.
+[[nodiscard]] const std::vector<SharedSnapshot>& mugSnapshots();
+
+/// After three views, with a next view proposed; and at the end, when nothing is left to see.
+[[nodiscard]] SharedSnapshot mugUnderWay();
+[[nodiscard]] SharedSnapshot mugFinished();
+
+}  // namespace vantage::testing

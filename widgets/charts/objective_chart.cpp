@@ -1,0 +1,321 @@
+#include "charts/objective_chart.h"
+
+#include <QCoreApplication>
+#include <algorithm>
+#include <cmath>
+
+#include "charts/axis.h"
+#include "layers/turntable_layer.h"
+#include "planning/choice.h"
+
+namespace vantage {
+namespace {
+
+constexpr double kLegendHeight = 40.0;
+constexpr double kLeft = 52.0;
+constexpr double kRight = 12.0;
+constexpr double kTitle = 30.0;
+constexpr double kGap = 30.0;
+
+QString text(const char* source) {
+  return QCoreApplication::translate("ObjectiveView", source);
+}
+
+QColor voidColour() {
+  return toColour(categoryColour(1));
+}
+QColor overlapColour() {
+  return toColour(categoryColour(0));
+}
+
+// Positions that the objective rules out keep their place, but step back.
+QColor shaded(QColor colour, bool allowed) {
+  if (!allowed) colour.setAlphaF(0.35F);
+  return colour;
+}
+
+double share(double value, double most) {
+  return most > 0.0 ? std::clamp(value / most, 0.0, 1.0) : 0.0;
+}
+
+double mostVoid(const ObjectiveChartData& data) {
+  return 1.05 * std::max(data.mostVoid, data.terminationThreshold);
+}
+double mostOverlap(const ObjectiveChartData& data) {
+  return 1.05 * std::max(data.mostOverlap, data.leastOverlap);
+}
+
+QString areaText(double value) {
+  return shortNumber(value) + QStringLiteral(" mm²");
+}
+
+// Title, and what the marked position has.
+void paintHead(QPainter& painter, const QRectF& area, const ObjectiveChartData& data, const ObjectiveMarks& marks,
+               const Theme& theme) {
+  const int told = marks.hovered >= 0 ? marks.hovered : marks.examined >= 0 ? marks.examined : data.chosen;
+  QString title = data.chosen >= 0 ? text("Next best view: position %1").arg(data.chosen) : text("No next view");
+  paintOverlay(painter, area, {{title}, {}}, theme);
+  if (told < 0 || told >= static_cast<int>(data.positions.size())) return;
+  const auto& p = data.positions[static_cast<std::size_t>(told)];
+  const QString line = text("position %1: void %2, overlap %3")
+                           .arg(QString::number(told), areaText(p.voidArea), areaText(p.overlapArea)) +
+                       (p.taken     ? text(", taken")
+                        : p.allowed ? QString()
+                                    : text(", ruled out"));
+  paintText(painter, {area.left() + 9.0, area.top() + 26.0}, Qt::AlignLeft | Qt::AlignTop, line, theme.mutedText, 12.0);
+}
+
+// What the colours and lines stand for, along the lower border.
+void paintFoot(QPainter& painter, const QRectF& area, const ObjectiveChartData& data, const Theme& theme) {
+  struct Item {
+    QColor colour;
+    QString text;
+    bool line;
+  };
+  const std::array<Item, 4> items{{{voidColour(), text("o_v: void"), false},
+                                   {theme.threshold, text("F = %1").arg(areaText(data.terminationThreshold)), true},
+                                   {overlapColour(), text("o_s: overlap"), false},
+                                   {theme.threshold, text("t = %1").arg(areaText(data.leastOverlap)), true}}};
+  const double width = (area.width() - 20.0) / 2.0;
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    const double x = area.left() + 10.0 + width * static_cast<double>(i % 2);
+    const double y = area.bottom() - kLegendHeight + 10.0 + 17.0 * static_cast<double>(i / 2);
+    if (items[i].line) {
+      painter.setPen(QPen(items[i].colour, 1.5, Qt::DashLine));
+      painter.drawLine(QPointF(x, y), QPointF(x + 16.0, y));
+    } else {
+      painter.fillRect(QRectF(x, y - 5.0, 16.0, 10.0), items[i].colour);
+    }
+    paintText(painter, {x + 22.0, y}, Qt::AlignLeft | Qt::AlignVCenter, items[i].text, theme.text);
+  }
+}
+
+// The dial. o_v grows outward from a ring, o_s from the ring inward.
+struct Dial {
+  QPointF centre;
+  double inner;  // where o_s has its most
+  double ring;
+  double outer;  // where o_v has its most
+
+  explicit Dial(const QRectF& area) {
+    const QRectF room = area.adjusted(0.0, kTitle + 18.0, 0.0, -kLegendHeight);
+    centre = room.center();
+    outer = std::max(20.0, 0.5 * std::min(room.width(), room.height()) - 22.0);
+    ring = 0.58 * outer;
+    inner = 0.16 * outer;
+  }
+
+  [[nodiscard]] double voidRadius(double s) const { return ring + s * (outer - ring); }
+  [[nodiscard]] double overlapRadius(double s) const { return ring - s * (ring - inner); }
+  [[nodiscard]] QPointF at(double radius, double azimuth) const {
+    return centre + radius * QPointF(std::cos(azimuth), -std::sin(azimuth));
+  }
+  [[nodiscard]] QPolygonF wedge(double from, double to, double azimuth, double halfWidth) const {
+    QPolygonF polygon;
+    constexpr int kSteps = 3;
+    for (int k = 0; k <= kSteps; ++k) polygon << at(from, azimuth - halfWidth + 2.0 * halfWidth * k / kSteps);
+    for (int k = kSteps; k >= 0; --k) polygon << at(to, azimuth - halfWidth + 2.0 * halfWidth * k / kSteps);
+    return polygon;
+  }
+};
+
+void paintCircle(QPainter& painter, const Dial& dial, double radius, const QPen& pen) {
+  painter.setPen(pen);
+  painter.setBrush(Qt::NoBrush);
+  painter.drawEllipse(dial.centre, radius, radius);
+}
+
+void paintMarker(QPainter& painter, const Dial& dial, double azimuth, const QColor& colour) {
+  const double tip = dial.outer + 2.0;
+  QPolygonF arrow;
+  arrow << dial.at(tip, azimuth);
+  arrow << dial.at(tip, azimuth) + 10.0 * QPointF(std::cos(azimuth + 0.45), -std::sin(azimuth + 0.45));
+  arrow << dial.at(tip, azimuth) + 10.0 * QPointF(std::cos(azimuth - 0.45), -std::sin(azimuth - 0.45));
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(colour);
+  painter.drawPolygon(arrow);
+}
+
+void paintDial(QPainter& painter, const QRectF& area, const ObjectiveChartData& data, const ObjectiveMarks& marks,
+               const Theme& theme) {
+  const Dial dial(area);
+  for (const double radius : {dial.inner, dial.ring, dial.outer})
+    paintCircle(painter, dial, radius, QPen(theme.grid, 1.0));
+  const double halfWidth = 0.42 * 2.0 * kPi / static_cast<double>(data.positions.size());
+  painter.setPen(Qt::NoPen);
+  for (const auto& p : data.positions) {
+    painter.setBrush(shaded(voidColour(), p.allowed));
+    painter.drawPolygon(
+        dial.wedge(dial.ring, dial.voidRadius(share(p.voidArea, mostVoid(data))), p.azimuth, halfWidth));
+    painter.setBrush(shaded(overlapColour(), p.overlapArea > data.leastOverlap));
+    painter.drawPolygon(
+        dial.wedge(dial.overlapRadius(share(p.overlapArea, mostOverlap(data))), dial.ring, p.azimuth, halfWidth));
+  }
+  const QPen dashed(theme.threshold, 1.5, Qt::DashLine);
+  paintCircle(painter, dial, dial.voidRadius(share(data.terminationThreshold, mostVoid(data))), dashed);
+  paintCircle(painter, dial, dial.overlapRadius(share(data.leastOverlap, mostOverlap(data))), dashed);
+  for (int degree = 0; degree < 360; degree += 90)
+    paintText(painter, dial.at(dial.outer + 15.0, radians(degree)), Qt::AlignHCenter | Qt::AlignVCenter,
+              QString::number(degree) + QChar(0x00B0), theme.mutedText);
+  const auto mark = [&](int position, const QColor& colour) {
+    if (position >= 0 && position < static_cast<int>(data.positions.size()))
+      paintMarker(painter, dial, data.positions[static_cast<std::size_t>(position)].azimuth, colour);
+  };
+  mark(data.current, theme.current);
+  mark(marks.examined, theme.examined);
+  mark(data.chosen, theme.proposed);
+  mark(marks.hovered, theme.text);
+}
+
+// Two rows of bars over one axis of positions.
+struct Bars {
+  QRectF upper;  // o_v
+  QRectF lower;  // o_s
+  double step;
+
+  Bars(const QRectF& area, std::size_t count) {
+    const QRectF room = area.adjusted(kLeft, kTitle + 24.0, -kRight, -kLegendHeight - 20.0);
+    const double height = 0.5 * (room.height() - kGap);
+    upper = QRectF(room.left(), room.top(), room.width(), height);
+    lower = QRectF(room.left(), room.bottom() - height, room.width(), height);
+    step = room.width() / static_cast<double>(count);
+  }
+};
+
+void paintBarAxis(QPainter& painter, const QRectF& box, double most, double threshold, const QString& name,
+                  const Theme& theme) {
+  painter.setPen(QPen(theme.grid, 1.0));
+  painter.drawLine(box.bottomLeft(), box.bottomRight());
+  for (const double mark : roundMarks(most, 3)) {
+    const double y = box.bottom() - share(mark, most) * box.height();
+    painter.setPen(QPen(theme.grid, 0.5));
+    painter.drawLine(QPointF(box.left() - 3.0, y), QPointF(box.right(), y));
+    paintText(painter, {box.left() - 4.0, y}, Qt::AlignRight | Qt::AlignVCenter, shortNumber(mark), theme.mutedText,
+              10.0);
+  }
+  paintText(painter, box.topLeft() + QPointF(0.0, -2.0), Qt::AlignLeft | Qt::AlignBottom, name, theme.mutedText, 10.0);
+  const double y = box.bottom() - share(threshold, most) * box.height();
+  painter.setPen(QPen(theme.threshold, 1.5, Qt::DashLine));
+  painter.drawLine(QPointF(box.left(), y), QPointF(box.right(), y));
+}
+
+void paintBarMarker(QPainter& painter, const Bars& bars, int position, const QColor& colour, const QString& label) {
+  const double x = bars.upper.left() + (position + 0.5) * bars.step;
+  const double y = bars.upper.bottom() + 4.0;
+  QPolygonF arrow;
+  arrow << QPointF(x, y) << QPointF(x - 5.0, y + 8.0) << QPointF(x + 5.0, y + 8.0);
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(colour);
+  painter.drawPolygon(arrow);
+  if (!label.isEmpty()) paintText(painter, {x, y + 7.0}, Qt::AlignHCenter | Qt::AlignTop, label, colour, 10.0, true);
+}
+
+void paintPositions(QPainter& painter, const Bars& bars, const ObjectiveChartData& data, const Theme& theme) {
+  const int last = static_cast<int>(data.positions.size()) - 1;
+  const int most = std::max(1, static_cast<int>(bars.lower.width() / 60.0));
+  const auto step =
+      static_cast<int>(std::max(1.0, roundMarks(last, most).size() > 1 ? roundMarks(last, most)[1] : 1.0));
+  for (int p = 0; p <= last; p += step)
+    paintText(painter, {bars.lower.left() + (p + 0.5) * bars.step, bars.lower.bottom() + 2.0},
+              Qt::AlignHCenter | Qt::AlignTop, QString::number(p), theme.mutedText, 10.0);
+}
+
+void paintBars(QPainter& painter, const QRectF& area, const ObjectiveChartData& data, const ObjectiveMarks& marks,
+               const Theme& theme) {
+  const Bars bars(area, data.positions.size());
+  paintBarAxis(painter, bars.upper, mostVoid(data), data.terminationThreshold, text("void mm²"), theme);
+  paintBarAxis(painter, bars.lower, mostOverlap(data), data.leastOverlap, text("overlap mm²"), theme);
+  for (std::size_t i = 0; i < data.positions.size(); ++i) {
+    const auto& p = data.positions[i];
+    const double x = bars.upper.left() + (static_cast<double>(i) + 0.1) * bars.step;
+    const auto bar = [&](const QRectF& box, double s, const QColor& colour) {
+      painter.fillRect(QRectF(x, box.bottom() - s * box.height(), 0.8 * bars.step, s * box.height()), colour);
+    };
+    bar(bars.upper, share(p.voidArea, mostVoid(data)), shaded(voidColour(), p.allowed));
+    bar(bars.lower, share(p.overlapArea, mostOverlap(data)),
+        shaded(overlapColour(), p.overlapArea > data.leastOverlap));
+  }
+  paintPositions(painter, bars, data, theme);
+  const auto mark = [&](int position, const QColor& colour, const QString& label) {
+    if (position >= 0 && position < static_cast<int>(data.positions.size()))
+      paintBarMarker(painter, bars, position, colour, label);
+  };
+  mark(data.current, theme.current, {});
+  mark(marks.examined, theme.examined, {});
+  mark(data.chosen, theme.proposed, QString::number(data.chosen));
+  mark(marks.hovered, theme.text, {});
+}
+
+}  // namespace
+
+ObjectiveChartData objectiveChartData(const ViewSnapshot& snapshot) {
+  ObjectiveChartData data;
+  if (!snapshot.plan || snapshot.profile() == nullptr) return data;
+  const Plan& plan = *snapshot.plan;
+  const Workspace& workspace = snapshot.profile()->workspace;
+  if (plan.scores.size() != workspace.size()) return data;
+  for (const PositionScore& score : plan.scores) {
+    ObjectiveChartData::Position position;
+    position.azimuth = azimuthOf(*snapshot.profile(), workspace.poses[static_cast<std::size_t>(score.position)]);
+    position.voidArea = promise(score);
+    position.overlapArea = score.overlapArea;
+    position.allowed = score.constraint == Constraint::Chosen || score.constraint == Constraint::Outscored;
+    data.mostVoid = std::max(data.mostVoid, position.voidArea);
+    data.mostOverlap = std::max(data.mostOverlap, position.overlapArea);
+    data.positions.push_back(position);
+  }
+  for (const View& view : snapshot.state->views)
+    if (view.image->position >= 0 && view.image->position < static_cast<int>(data.positions.size()))
+      data.positions[static_cast<std::size_t>(view.image->position)].taken = true;
+  data.leastOverlap = plan.leastOverlap;
+  data.terminationThreshold = plan.terminationThreshold;
+  data.current = snapshot.current();
+  data.chosen = snapshot.proposed();
+  data.turntable = workspace.steps == static_cast<int>(workspace.size());
+  return data;
+}
+
+void paintObjective(QPainter& painter, const QRectF& area, const ObjectiveChartData& data, ObjectiveStyle style,
+                    const ObjectiveMarks& marks, const Theme& theme) {
+  painter.fillRect(area, theme.panel);
+  painter.setRenderHint(QPainter::Antialiasing);
+  if (data.empty()) {
+    paintText(painter, area.center(), Qt::AlignHCenter | Qt::AlignVCenter, text("No plan yet"), theme.mutedText, 13.0);
+    return;
+  }
+  paintHead(painter, area, data, marks, theme);
+  if (style == ObjectiveStyle::Dial)
+    paintDial(painter, area, data, marks, theme);
+  else
+    paintBars(painter, area, data, marks, theme);
+  paintFoot(painter, area, data, theme);
+}
+
+int positionAt(const QPointF& point, const QRectF& area, const ObjectiveChartData& data, ObjectiveStyle style) {
+  if (data.empty()) return -1;
+  const auto count = static_cast<int>(data.positions.size());
+  if (style == ObjectiveStyle::Bars) {
+    const Bars bars(area, data.positions.size());
+    const QRectF both = bars.upper.united(bars.lower);
+    if (!both.contains(point)) return -1;
+    return std::clamp(static_cast<int>((point.x() - both.left()) / bars.step), 0, count - 1);
+  }
+  const Dial dial(area);
+  const QPointF offset = point - dial.centre;
+  const double radius = std::hypot(offset.x(), offset.y());
+  if (radius < dial.inner || radius > dial.outer + 12.0) return -1;
+  const double azimuth = std::atan2(-offset.y(), offset.x());
+  int nearest = -1;
+  double least = 4.0;
+  for (int i = 0; i < count; ++i) {
+    const double apart =
+        std::abs(std::remainder(data.positions[static_cast<std::size_t>(i)].azimuth - azimuth, 2.0 * kPi));
+    if (apart < least) {
+      least = apart;
+      nearest = i;
+    }
+  }
+  return nearest;
+}
+
+}  // namespace vantage

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <QPainter>
+#include <cstdint>
+#include <vector>
+
+#include "layers/view_snapshot.h"
+#include "look/theme.h"
+
+namespace vantage {
+
+enum class ObjectiveStyle : std::uint8_t {
+  Dial,  ///< seen from above like the turntable, x to the right
+  Bars,
+};
+
+/// What the chart of the objective shows of a plan.
+struct ObjectiveChartData {
+  struct Position {
+    double azimuth = 0.0;      ///< [rad] of where the scanner stands, counter-clockwise from +x
+    double voidArea = 0.0;     ///< what it promises, traced where that is known [mm^2]
+    double overlapArea = 0.0;  ///< o_s [mm^2]
+    bool allowed = false;      ///< the objective is not 0
+    bool taken = false;        ///< a view was taken from there
+  };
+  std::vector<Position> positions;
+  double mostVoid = 0.0;              ///< [mm^2]
+  double mostOverlap = 0.0;           ///< [mm^2]
+  double leastOverlap = 0.0;          ///< t [mm^2]
+  double terminationThreshold = 0.0;  ///< F [mm^2]
+  int current = -1;
+  int chosen = -1;
+  bool turntable = false;  ///< positions share one circle, so that a dial shows them all
+
+  [[nodiscard]] bool empty() const { return positions.empty(); }
+};
+
+[[nodiscard]] ObjectiveChartData objectiveChartData(const ViewSnapshot& snapshot);
+
+/// What is marked besides the choice; -1 for nothing.
+struct ObjectiveMarks {
+  int hovered = -1;
+  int examined = -1;
+};
+
+void paintObjective(QPainter& painter, const QRectF& area, const ObjectiveChartData& data, ObjectiveStyle style,
+                    const ObjectiveMarks& marks, const Theme& theme);
+
+/// The position under a point of the chart painted in that area; -1 for none.
+[[nodiscard]] int positionAt(const QPointF& point, const QRectF& area, const ObjectiveChartData& data,
+                             ObjectiveStyle style);
+
+}  // namespace vantage

@@ -1,0 +1,115 @@
+#include "charts/scanner_picture_chart.h"
+
+#include <QCoreApplication>
+#include <cmath>
+
+#include "charts/axis.h"
+
+namespace vantage {
+namespace {
+
+QString text(const char* source) {
+  return QCoreApplication::translate("ScannerPicture", source);
+}
+
+QColor colourOf(RaySight sight, double cosine, const Theme& theme) {
+  switch (sight) {
+    case RaySight::Surface:
+      return QColor::fromRgbF(theme.surface.redF() * static_cast<float>(cosine),
+                              theme.surface.greenF() * static_cast<float>(cosine),
+                              theme.surface.blueF() * static_cast<float>(cosine));
+    case RaySight::TooSteep:
+      return toColour(categoryColour(3));
+    case RaySight::ReceiverBlocked:
+      return toColour(categoryColour(2));
+    case RaySight::Void:
+      return toColour(categoryColour(1));
+    case RaySight::Back:
+      return toColour(categoryColour(0));
+    case RaySight::Nothing:
+      break;
+  }
+  return theme.backgroundBottom;
+}
+
+const char* textOf(RaySight sight) {
+  switch (sight) {
+    case RaySight::Surface:
+      return QT_TRANSLATE_NOOP("ScannerPicture", "surface");
+    case RaySight::TooSteep:
+      return QT_TRANSLATE_NOOP("ScannerPicture", "too steep");
+    case RaySight::ReceiverBlocked:
+      return QT_TRANSLATE_NOOP("ScannerPicture", "receiver blocked");
+    case RaySight::Void:
+      return QT_TRANSLATE_NOOP("ScannerPicture", "void");
+    case RaySight::Back:
+      return QT_TRANSLATE_NOOP("ScannerPicture", "inside");
+    case RaySight::Nothing:
+      break;
+  }
+  return QT_TRANSLATE_NOOP("ScannerPicture", "nothing");
+}
+
+// The classes that occur, in as few lines as they fit in. @return the height they took
+double paintKey(QPainter& painter, const QRectF& area, const ScannerPicture& picture, const Theme& theme, bool draw) {
+  constexpr double kLine = 17.0;
+  QPointF at(area.left() + 10.0, area.bottom() - 6.0 - 0.5 * kLine);
+  double height = kLine;
+  for (std::size_t k = 0; k < kRaySights; ++k) {
+    const auto sight = static_cast<RaySight>(k);
+    const std::size_t count = picture.count(sight);
+    if (count == 0) continue;
+    const QString label =
+        QStringLiteral("%1 %2 %")
+            .arg(text(textOf(sight)))
+            .arg(100.0 * static_cast<double>(count) / static_cast<double>(picture.sight.size()), 0, 'f', 1);
+    const double width = 16.0 + QFontMetricsF(pictureFont(11.0)).horizontalAdvance(label) + 14.0;
+    if (at.x() + width > area.right() && at.x() > area.left() + 10.0) {
+      at = QPointF(area.left() + 10.0, at.y() - kLine);
+      height += kLine;
+    }
+    if (draw) {
+      painter.setPen(QPen(theme.grid, 1.0));
+      painter.setBrush(colourOf(sight, 0.9, theme));
+      painter.drawRect(QRectF(at.x(), at.y() - 5.0, 10.0, 10.0));
+      paintText(painter, at + QPointF(15.0, 0.0), Qt::AlignLeft | Qt::AlignVCenter, label, theme.text);
+    }
+    at.rx() += width;
+  }
+  return height;
+}
+
+}  // namespace
+
+QImage toImage(const ScannerPicture& picture, const Theme& theme) {
+  QImage image(picture.columns, picture.rows, QImage::Format_RGB32);
+  for (int row = 0; row < picture.rows; ++row)
+    for (int column = 0; column < picture.columns; ++column) {
+      const auto i =
+          static_cast<std::size_t>(row) * static_cast<std::size_t>(picture.columns) + static_cast<std::size_t>(column);
+      const QColor colour = colourOf(picture.sight[i], static_cast<double>(picture.cosine[i]), theme);
+      image.setPixelColor(picture.columnsLeft ? picture.columns - 1 - column : column,
+                          picture.rowsUp ? picture.rows - 1 - row : row, colour);
+    }
+  return image;
+}
+
+void paintScannerPicture(QPainter& painter, const QRectF& area, const ScannerPicture& picture, const QString& title,
+                         const Theme& theme) {
+  constexpr double kTop = 32.0;
+  painter.fillRect(area, theme.panel);
+  paintOverlay(painter, area, {{title}, {}}, theme);
+  const double key = paintKey(painter, area, picture, theme, false);
+  const QRectF room = area.adjusted(10.0, kTop, -10.0, -key - 14.0);
+  const QImage image = toImage(picture, theme);
+  const QSizeF size = QSizeF(image.size()).scaled(room.size(), Qt::KeepAspectRatio);
+  const QRectF place(room.center() - QPointF(0.5 * size.width(), 0.5 * size.height()), size);
+  painter.setRenderHint(QPainter::SmoothPixmapTransform, false);
+  painter.drawImage(place, image);
+  painter.setPen(QPen(theme.grid, 1.0));
+  painter.setBrush(Qt::NoBrush);
+  painter.drawRect(place);
+  paintKey(painter, area, picture, theme, true);
+}
+
+}  // namespace vantage

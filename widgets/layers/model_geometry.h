@@ -1,0 +1,56 @@
+#pragma once
+
+#include <vtkSmartPointer.h>
+
+#include <memory>
+#include <vector>
+
+#include "base/progress.h"
+#include "geometry/measures.h"
+#include "geometry/ray_caster.h"
+#include "integration/model.h"
+#include "layers/model_options.h"
+#include "vtk/poly_data.h"
+
+namespace vantage {
+
+/// A model made ready to be drawn and picked. Immutable.
+struct ModelGeometry {
+  std::shared_ptr<const Model> model;
+  vtkSmartPointer<vtkPolyData> surface;
+  vtkSmartPointer<vtkPolyData> boundary;
+  BoundingBox box;
+  std::shared_ptr<const RayCaster> caster;
+
+  vtkSmartPointer<vtkPolyData> coarse;      ///< drawn while the camera moves; null for a small model
+  std::vector<std::uint32_t> coarseVertex;  ///< per vertex of it the model's vertex
+
+  /// The surface and its coarse stand-in in colours; with the plain colouring without.
+  [[nodiscard]] vtkSmartPointer<vtkPolyData> coloured(ModelColouring colouring, std::size_t views) const;
+  [[nodiscard]] vtkSmartPointer<vtkPolyData> colouredCoarse(ModelColouring colouring, std::size_t views) const;
+};
+
+/// Makes a model ready: some tenths of a second for a million triangles. @throws Cancelled
+[[nodiscard]] std::shared_ptr<const ModelGeometry> prepareModelGeometry(std::shared_ptr<const Model> model,
+                                                                        const Progress& progress = {});
+
+/// Large models are drawn decimated while the camera moves.
+struct StandInOptions {
+  std::size_t mostTriangles = 120000;  ///< models up to this size stay as they are
+  std::size_t targetTriangles = 60000;
+  double maxError = 2.0;  ///< [mm]
+};
+
+/// Whether a model is so large that it gets a stand-in.
+[[nodiscard]] bool needsStandIn(const Model& model, const StandInOptions& options = {});
+
+/// The same with a coarse stand-in where the model is large; some seconds for a million triangles. @throws Cancelled
+[[nodiscard]] std::shared_ptr<const ModelGeometry> withStandIn(const std::shared_ptr<const ModelGeometry>& geometry,
+                                                               const StandInOptions& options = {},
+                                                               const Progress& progress = {});
+
+/// The colour of the surface that a view brought, among so many views.
+[[nodiscard]] Rgb viewColour(std::size_t view);
+[[nodiscard]] Rgb ageColour(std::size_t view, std::size_t views);
+
+}  // namespace vantage

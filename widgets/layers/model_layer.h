@@ -1,0 +1,36 @@
+#pragma once
+
+#include <memory>
+
+#include "layers/model_geometry.h"
+#include "vtk/scene.h"
+
+namespace vantage {
+
+/// The model's surface and its boundary in a scene.
+class ModelLayer {
+ public:
+  explicit ModelLayer(Scene& scene);
+
+  /// @param geometry null for no model
+  /// @param views taken so far, for colours by age
+  void set(std::shared_ptr<const ModelGeometry> geometry, ModelColouring colouring, std::size_t views);
+  void setVisible(bool surface, bool boundary);
+  void setMoving(bool moving);
+  void setTheme(const Theme& theme);
+  /// How much of what is behind the surface shows through it: 1 for none.
+  void setOpacity(double opacity);
+
+ private:
+  void update();
+
+  std::shared_ptr<const ModelGeometry> geometry_;
+  vtkSmartPointer<vtkActor> surface_;
+  vtkSmartPointer<vtkActor> coarse_;
+  vtkSmartPointer<vtkActor> boundary_;
+  bool surfaceVisible_ = true;
+  bool boundaryVisible_ = true;
+  bool moving_ = false;
+};
+
+}  // namespace vantage

@@ -1,0 +1,278 @@
+#include "scenes/model_scene.h"
+
+#include <QCoreApplication>
+#include <algorithm>
+#include <cmath>
+
+namespace vantage {
+namespace {
+
+QString text(const char* source) {
+  return QCoreApplication::translate("ModelView", source);
+}
+
+const char* edgeClassText(EdgeClass edgeClass) {
+  switch (edgeClass) {
+    case EdgeClass::OuterJump:
+      return QT_TRANSLATE_NOOP("ModelView", "outer jump");
+    case EdgeClass::InnerJump:
+      return QT_TRANSLATE_NOOP("ModelView", "inner jump");
+    case EdgeClass::LineOfSightJump:
+      return QT_TRANSLATE_NOOP("ModelView", "line of sight jump");
+    case EdgeClass::Regular:
+      return QT_TRANSLATE_NOOP("ModelView", "regular");
+    case EdgeClass::Rim:
+      break;
+  }
+  return QT_TRANSLATE_NOOP("ModelView", "rim of the scan");
+}
+
+const char* stateText(PatchState state) {
+  switch (state) {
+    case PatchState::Open:
+      return QT_TRANSLATE_NOOP("ModelView", "open");
+    case PatchState::LookedAt:
+      return QT_TRANSLATE_NOOP("ModelView", "looked at, still open");
+    case PatchState::Answered:
+      return QT_TRANSLATE_NOOP("ModelView", "answered: no surface found");
+    case PatchState::OutOfReach:
+      return QT_TRANSLATE_NOOP("ModelView", "out of reach");
+    case PatchState::TooSteep:
+      return QT_TRANSLATE_NOOP("ModelView", "too steep");
+    case PatchState::LightBlocked:
+      return QT_TRANSLATE_NOOP("ModelView", "light blocked");
+    case PatchState::ReceiverBlocked:
+      break;
+  }
+  return QT_TRANSLATE_NOOP("ModelView", "receiver blocked");
+}
+
+KeyLegend edgeClassLegend(const VoidSurface& voids) {
+  KeyLegend legend{text("Void by edge class"), {}};
+  for (std::size_t k = 0; k < kEdgeClasses; ++k) {
+    const auto edgeClass = static_cast<EdgeClass>(k);
+    if (voids.counts[k] == 0) continue;
+    legend.entries.push_back({toColour(edgeClassColour(edgeClass)),
+                              QStringLiteral("%1  %2").arg(text(edgeClassText(edgeClass))).arg(voids.counts[k])});
+  }
+  return legend;
+}
+
+KeyLegend stateLegend(const Plan& plan) {
+  std::array<std::size_t, kPatchStates> counts{};
+  for (const PatchOutlook& outlook : plan.outlook)
+    ++counts[static_cast<std::size_t>(patchState(outlook, plan.outcome))];
+  KeyLegend legend{text("Void by state"), {}};
+  for (std::size_t k = 0; k < kPatchStates; ++k) {
+    const auto state = static_cast<PatchState>(k);
+    if (counts[k] == 0) continue;
+    legend.entries.push_back(
+        {toColour(patchStateColour(state)), QStringLiteral("%1  %2").arg(text(stateText(state))).arg(counts[k])});
+  }
+  return legend;
+}
+
+KeyLegend viewLegend(const std::vector<View>& views) {
+  constexpr std::size_t kMostEntries = 16;
+  KeyLegend legend{text("Surface by view"), {}};
+  for (std::size_t v = 0; v < std::min(views.size(), kMostEntries); ++v)
+    legend.entries.push_back(
+        {toColour(viewColour(v)), text("view %1, position %2").arg(v + 1).arg(views[v].image->position)});
+  if (views.size() > kMostEntries)
+    legend.entries.push_back({Qt::transparent, text("and %1 more").arg(views.size() - kMostEntries)});
+  return legend;
+}
+
+double areaOf(const VoidSurface& voids) {
+  double sum = 0.0;
+  for (const VoidPatch& patch : voids.patches) sum += patch.weight;
+  return sum;
+}
+
+}  // namespace
+
+ModelScene::ModelScene()
+    : turntable_(scene_),
+      model_(scene_),
+      voids_(scene_),
+      currentRays_(scene_),
+      proposedRays_(scene_),
+      theme_(&lightTheme()) {
+  setTheme(lightTheme());
+}
+
+void ModelScene::set(SharedSnapshot snapshot, std::shared_ptr<const ModelGeometry> geometry) {
+  snapshot_ = std::move(snapshot);
+  geometry_ = std::move(geometry);
+  turntable_.set(snapshot_ ? snapshot_->profile() : nullptr);
+  update();
+}
+
+void ModelScene::setOptions(const ModelViewOptions& options) {
+  options_ = options;
+  update();
+}
+
+void ModelScene::setTheme(const Theme& theme) {
+  theme_ = &theme;
+  scene_.setTheme(theme);
+  turntable_.setTheme(theme);
+  model_.setTheme(theme);
+  voids_.setTheme(theme);
+  currentRays_.setColour(theme.current);
+  proposedRays_.setColour(examined_ ? theme.examined : theme.proposed);
+}
+
+void ModelScene::examine(std::optional<int> position) {
+  examined_ = position;
+  updateRays();
+}
+
+void ModelScene::highlight(const std::vector<std::uint32_t>& patches) {
+  voids_.highlight(patches);
+}
+
+void ModelScene::update() {
+  model_.set(geometry_, options_.colouring, snapshot_ && snapshot_->state ? snapshot_->state->views.size() : 0);
+  model_.setVisible(options_.surface, options_.boundary);
+  voids_.set(snapshot_ ? snapshot_->plan : nullptr, options_.voidColouring);
+  voids_.setVisible(options_.voidPatches);
+  turntable_.setVisible(options_.turntable);
+  updateRays();
+}
+
+void ModelScene::updateRays() {
+  currentRays_.clear();
+  proposedRays_.clear();
+  proposedRays_.setColour(examined_ ? theme_->examined : theme_->proposed);
+  const ScannerProfile* profile = snapshot_ ? snapshot_->profile() : nullptr;
+  if (profile == nullptr) return turntable_.mark({}, {});
+  const auto azimuth = [&](int position) -> std::optional<double> {
+    if (position < 0 || position >= static_cast<int>(profile->workspace.size())) return std::nullopt;
+    return azimuthOf(*profile, profile->workspace.poses[static_cast<std::size_t>(position)]);
+  };
+  const int asked = examined_.value_or(snapshot_->proposed());
+  turntable_.mark(azimuth(snapshot_->current()), azimuth(snapshot_->proposed()));
+  if (options_.currentRays && !snapshot_->state->views.empty())
+    currentRays_.showView(*profile, snapshot_->state->views.back());
+  if (options_.proposedRays || examined_)
+    proposedRays_.showPosition(*profile, asked, geometry_ ? geometry_->caster.get() : nullptr);
+}
+
+BoundingBox ModelScene::box() const {
+  const ScannerProfile* profile = snapshot_ ? snapshot_->profile() : nullptr;
+  const bool table = options_.turntable && profile != nullptr;
+  BoundingBox box = geometry_ ? geometry_->box : BoundingBox{};
+  if (table || !geometry_) {
+    const double radius = profile != nullptr ? 1.17 * profile->viewingVolume.radius : 100.0;
+    if (!geometry_) box = {Vec3(0.0, 0.0, 0.0), Vec3(0.0, 0.0, 0.3 * radius)};
+    box.extend({-radius, -radius, 0.0});
+    box.extend({radius, radius, 0.0});
+  }
+  return box;
+}
+
+Camera ModelScene::camera(CameraPreset preset, double aspect) const {
+  const int position =
+      examined_.value_or(snapshot_ ? (snapshot_->proposed() >= 0 ? snapshot_->proposed() : snapshot_->current()) : -1);
+  return presetCamera(preset, box(), scene_.camera(), scannersEye(snapshot_.get(), position), aspect);
+}
+
+Overlay ModelScene::overlay() const {
+  Overlay overlay;
+  if (!snapshot_ || !snapshot_->state) return overlay;
+  const auto& state = *snapshot_->state;
+  if (state.views.empty()) {
+    overlay.notes << text("No view taken yet");
+    return overlay;
+  }
+  overlay.notes << text("Model after %n view(s)").replace("%n", QString::number(state.views.size()));
+  if (state.model)
+    overlay.notes << text("%1 triangles").arg(shortNumber(static_cast<double>(state.model->mesh.triangles.size())));
+  if (snapshot_->plan && snapshot_->plan->voids)
+    overlay.notes << text("%1 void patches, %2 mm²")
+                         .arg(shortNumber(static_cast<double>(snapshot_->plan->voids->patches.size())),
+                              shortNumber(areaOf(*snapshot_->plan->voids)));
+  if (!options_.legends) return overlay;
+  if (options_.voidPatches && snapshot_->plan && snapshot_->plan->voids && !snapshot_->plan->voids->patches.empty())
+    overlay.legends.emplace_back(options_.voidColouring == VoidColouring::State
+                                     ? stateLegend(*snapshot_->plan)
+                                     : edgeClassLegend(*snapshot_->plan->voids));
+  if (options_.surface && options_.colouring == ModelColouring::Confidence)
+    overlay.legends.emplace_back(
+        ScaleLegend{text("Confidence"), text("cos of the angle"), 0.0, 1.0, ColourMap::Cividis});
+  if (options_.surface && options_.colouring == ModelColouring::View)
+    overlay.legends.emplace_back(viewLegend(state.views));
+  if (options_.surface && options_.colouring == ModelColouring::Age)
+    overlay.legends.emplace_back(ScaleLegend{text("Surface by age"), text("newest view"), 1.0,
+                                             static_cast<double>(state.views.size()), ColourMap::Viridis});
+  KeyLegend rays{text("Ranging rays"), {}};
+  if (options_.currentRays)
+    rays.entries.push_back({theme_->current, text("last view, position %1").arg(snapshot_->current())});
+  if (examined_)
+    rays.entries.push_back({theme_->examined, text("examined position %1").arg(*examined_)});
+  else if (options_.proposedRays && snapshot_->proposed() >= 0)
+    rays.entries.push_back({theme_->proposed, text("proposed view, position %1").arg(snapshot_->proposed())});
+  if (!rays.entries.empty()) overlay.legends.emplace_back(rays);
+  return overlay;
+}
+
+std::optional<ModelScene::Pick> ModelScene::pick(const SightLine& line) const {
+  const auto patch = voids_.pick(line);
+  std::optional<RayHit> surface;
+  if (geometry_ && options_.surface) surface = geometry_->caster->intersect(line.origin, line.direction);
+  // Patches begin on the surface's border: in a draw they are what is meant.
+  constexpr double kDraw = 0.5;
+  if (patch && (!surface || patch->distance < surface->distance + kDraw))
+    return Pick{patch->patch, {}, line.origin + patch->distance * line.direction};
+  if (surface) return Pick{{}, surface->triangle, line.origin + surface->distance * line.direction};
+  return std::nullopt;
+}
+
+QImage makePicture(Scene& scene, const Overlay& overlay, const Theme& theme, OffscreenWindow& window, const QSize& size,
+                   double pixelRatio) {
+  QImage image = window.render(scene, size, pixelRatio);
+  QPainter painter(&image);
+  paintOverlay(painter, QRectF(QPointF(), QSizeF(size) / pixelRatio), overlay, theme);
+  return image;
+}
+
+Camera presetCamera(CameraPreset preset, const BoundingBox& box, const Camera& now, const std::optional<Vec3>& eye,
+                    double aspect) {
+  switch (preset) {
+    case CameraPreset::Fit: {
+      Camera camera = cameraToward(now.forward(), box, aspect);
+      camera.up = now.up;
+      return camera;
+    }
+    case CameraPreset::Front:
+      return cameraToward(-Vec3::UnitX(), box, aspect);
+    case CameraPreset::Top:
+      return cameraToward(-Vec3::UnitZ(), box, aspect);
+    case CameraPreset::ScannersEye:
+      if (eye) {
+        Camera camera = cameraToward(box.centre() - *eye, box, aspect);
+        camera.eye = *eye;
+        // From where it stands the scanner may be too near to have all of it in sight.
+        const double reach = 0.5 * box.size().norm();
+        camera.viewAngle = std::clamp(2.0 * std::atan(reach / std::max(1.0, (box.centre() - *eye).norm())),
+                                      radians(10.0), radians(100.0));
+        return camera;
+      }
+      return cameraToward(-Vec3::UnitX(), box, aspect);
+    case CameraPreset::Oblique:
+      break;
+  }
+  return cameraToward(Vec3(-1.0, 0.55, -0.55), box, aspect);
+}
+
+std::optional<Vec3> scannersEye(const ViewSnapshot* snapshot, int position) {
+  const ScannerProfile* profile = snapshot != nullptr ? snapshot->profile() : nullptr;
+  if (profile == nullptr || position < 0 || position >= static_cast<int>(profile->workspace.size()))
+    return std::nullopt;
+  const RayGrid& grid = *profile->rays;
+  return profile->workspace.poses[static_cast<std::size_t>(position)] *
+         grid.rayAt({0.5 * (grid.rows() - 1), 0.5 * (grid.columns() - 1)}).origin;
+}
+
+}  // namespace vantage

@@ -1,0 +1,81 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "layers/model_layer.h"
+#include "layers/ranging_rays_layer.h"
+#include "layers/turntable_layer.h"
+#include "layers/view_snapshot.h"
+#include "layers/void_patch_layer.h"
+#include "look/legend.h"
+#include "vtk/render_surface.h"
+
+namespace vantage {
+
+/// Everything that the model view draws, without a widget.
+class ModelScene {
+ public:
+  ModelScene();
+
+  [[nodiscard]] Scene& scene() { return scene_; }
+  [[nodiscard]] const Scene& scene() const { return scene_; }
+
+  /// @param geometry of the snapshot's model; null for none
+  void set(SharedSnapshot snapshot, std::shared_ptr<const ModelGeometry> geometry);
+  void setOptions(const ModelViewOptions& options);
+  [[nodiscard]] const ModelViewOptions& options() const { return options_; }
+  void setTheme(const Theme& theme);
+  void setMoving(bool moving) { model_.setMoving(moving); }
+  void examine(std::optional<int> position);
+  void highlight(const std::vector<std::uint32_t>& patches);
+
+  [[nodiscard]] const SharedSnapshot& snapshot() const { return snapshot_; }
+  [[nodiscard]] const ModelGeometry* geometry() const { return geometry_.get(); }
+
+  /// What there is to look at: the model, with the turntable when that is shown.
+  [[nodiscard]] BoundingBox box() const;
+  [[nodiscard]] Camera camera(CameraPreset preset, double aspect) const;
+  [[nodiscard]] Overlay overlay() const;
+
+  struct Pick {
+    std::optional<std::uint32_t> patch;     ///< void patch, when that is met first
+    std::optional<std::uint32_t> triangle;  ///< of the model
+    Vec3 point = Vec3::Zero();
+  };
+  /// What a line meets first; nothing when it misses everything.
+  [[nodiscard]] std::optional<Pick> pick(const SightLine& line) const;
+
+ private:
+  void update();
+  void updateRays();
+
+  Scene scene_;
+  TurntableLayer turntable_;
+  ModelLayer model_;
+  VoidPatchLayer voids_;
+  RangingRaysLayer currentRays_;
+  RangingRaysLayer proposedRays_;
+
+  SharedSnapshot snapshot_;
+  std::shared_ptr<const ModelGeometry> geometry_;
+  ModelViewOptions options_;
+  std::optional<int> examined_;
+  const Theme* theme_;
+};
+
+/// A scene and what is written over it as one picture.
+[[nodiscard]] QImage makePicture(Scene& scene, const Overlay& overlay, const Theme& theme, OffscreenWindow& window,
+                                 const QSize& size, double pixelRatio);
+
+/// The camera of a preset on a box.
+/// @param eye where the scanner stands; unset looks from the front.
+[[nodiscard]] Camera presetCamera(CameraPreset preset, const BoundingBox& box, const Camera& now,
+                                  const std::optional<Vec3>& eye, double aspect);
+
+/// Where the scanner's light stands at a position; unset when there is no such position.
+[[nodiscard]] std::optional<Vec3> scannersEye(const ViewSnapshot* snapshot, int position);
+
+}  // namespace vantage

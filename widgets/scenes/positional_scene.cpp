@@ -1,0 +1,102 @@
+#include "scenes/positional_scene.h"
+
+#include <QCoreApplication>
+
+#include "layers/positional_links.h"
+#include "scenes/model_scene.h"
+
+namespace vantage {
+namespace {
+
+QString text(const char* source) {
+  return QCoreApplication::translate("PositionalSpace", source);
+}
+
+}  // namespace
+
+PositionalScene::PositionalScene() : model_(scene_), layer_(scene_) {
+  setTheme(lightTheme());
+}
+
+void PositionalScene::set(SharedSnapshot snapshot, std::shared_ptr<const ModelGeometry> geometry) {
+  snapshot_ = std::move(snapshot);
+  geometry_ = std::move(geometry);
+  pointed_.reset();
+  highlighted_.clear();
+  update();
+}
+
+void PositionalScene::setOptions(const PositionalViewOptions& options) {
+  options_ = options;
+  update();
+}
+
+void PositionalScene::setTheme(const Theme& theme) {
+  scene_.setTheme(theme);
+  model_.setTheme(theme);
+  layer_.setTheme(theme);
+}
+
+void PositionalScene::highlightCells(const std::vector<std::uint32_t>& cells) {
+  highlighted_ = cells;
+  outline();
+}
+
+void PositionalScene::pointAt(std::optional<PositionalLayer::Pick> cell) {
+  pointed_ = cell;
+  outline();
+}
+
+void PositionalScene::outline() {
+  std::vector<std::uint32_t> cells = highlighted_;
+  if (pointed_ && field_)
+    cells.push_back(static_cast<std::uint32_t>(pointed_->row * field_->shape.columns + pointed_->column));
+  layer_.highlight(cells);
+}
+
+void PositionalScene::update() {
+  field_ = snapshot_ ? cellField(*snapshot_, options_) : std::nullopt;
+  const bool known = snapshot_ && snapshot_->scannerImages;
+  layer_.set(known ? &snapshot_->scannerImages->grid() : nullptr, field_ ? &*field_ : nullptr);
+  model_.set(geometry_, ModelColouring::Plain, 0);
+  outline();
+}
+
+BoundingBox PositionalScene::box() const {
+  if (!snapshot_ || !snapshot_->scannerImages)
+    return geometry_ ? geometry_->box : BoundingBox{{-100, -100, 0}, {100, 100, 200}};
+  const PositionalSpaceShape& shape = snapshot_->scannerImages->grid().shape();
+  if (shape.surface == PositionalSpaceSurface::Cylinder)
+    return {{-shape.radius, -shape.radius, shape.bottom}, {shape.radius, shape.radius, shape.top}};
+  const Vec3 centre(0.0, 0.0, 0.5 * (shape.bottom + shape.top));
+  return {centre - Vec3::Constant(shape.radius), centre + Vec3::Constant(shape.radius)};
+}
+
+Camera PositionalScene::camera(CameraPreset preset, double aspect) const {
+  const int position = options_.position.value_or(
+      snapshot_ ? (snapshot_->proposed() >= 0 ? snapshot_->proposed() : snapshot_->current()) : -1);
+  return presetCamera(preset, box(), scene_.camera(), scannersEye(snapshot_.get(), position), aspect);
+}
+
+Overlay PositionalScene::overlay() const {
+  Overlay overlay;
+  if (!field_) {
+    overlay.notes << (snapshot_ && snapshot_->scannerImages ? text("No plan yet to show in positional space")
+                                                            : text("No positional space yet"));
+    return overlay;
+  }
+  overlay.notes << field_->title;
+  if (options_.direction)
+    overlay.notes << text("in directions %1° aside, %2° up, each ± %3°")
+                         .arg(QString::number(degrees(options_.direction->phi), 'f', 0),
+                              QString::number(degrees(options_.direction->psi), 'f', 0),
+                              QString::number(degrees(options_.direction->halfWidth), 'f', 1));
+  else
+    overlay.notes << text("summed over all directions");
+  if (pointed_) overlay.notes << describeCell(*snapshot_, *field_, pointed_->row, pointed_->column);
+  if (options_.legends)
+    overlay.legends.emplace_back(ScaleLegend{text("Per cell"), field_->unit, 0.0, field_->maximum, field_->map});
+  return overlay;
+}
+
+}  // namespace vantage

@@ -1,0 +1,104 @@
+#include "views/positional_space_view.h"
+
+#include "scenes/positional_scene.h"
+#include "views/geometry_loader.h"
+
+namespace vantage {
+
+PositionalSpaceView::PositionalSpaceView(const SurfaceMaker& surfaces, QWidget* parent,
+                                         std::shared_ptr<GeometryStore> store)
+    : SceneView(parent),
+      scene_(std::make_unique<PositionalScene>()),
+      loader_(std::make_unique<GeometryLoader>(std::move(store))) {
+  setAccessibleName(tr("Positional space"));
+  attach(scene_->scene(), surfaces);
+  lookFrom(CameraPreset::Oblique);
+  refresh();
+}
+
+PositionalSpaceView::~PositionalSpaceView() {
+  detach();
+}
+
+void PositionalSpaceView::setSnapshot(const SharedSnapshot& snapshot) {
+  const std::shared_ptr<const Model> model = snapshot && snapshot->state ? snapshot->state->model : nullptr;
+  loader_->load(
+      model, [this, snapshot](const auto& geometry) { show(snapshot, geometry); },
+      [this](const QString& why) {
+        setOverlay({{tr("The model cannot be shown: %1").arg(why)}, {}});
+      });
+}
+
+void PositionalSpaceView::show(const SharedSnapshot& snapshot, const std::shared_ptr<const ModelGeometry>& geometry) {
+  scene_->set(snapshot, geometry);
+  const bool known = snapshot && snapshot->scannerImages;
+  if (!fitted_ && known) lookFrom(CameraPreset::Oblique);
+  fitted_ = fitted_ || known;
+  refresh();
+}
+
+void PositionalSpaceView::refresh() {
+  setOverlay(scene_->overlay());
+  redraw();
+}
+
+void PositionalSpaceView::setOptions(const PositionalViewOptions& options) {
+  if (options == scene_->options()) return;
+  scene_->setOptions(options);
+  refresh();
+}
+
+const PositionalViewOptions& PositionalSpaceView::options() const {
+  return scene_->options();
+}
+
+void PositionalSpaceView::highlightCells(const std::vector<std::uint32_t>& cells) {
+  scene_->highlightCells(cells);
+  redraw();
+}
+
+void PositionalSpaceView::pointAt(int row, int column) {
+  if (row >= 0 && column >= 0)
+    scene_->pointAt(PositionalLayer::Pick{row, column});
+  else
+    scene_->pointAt(std::nullopt);
+  refresh();
+}
+
+void PositionalSpaceView::setTheme(const Theme& theme) {
+  scene_->setTheme(theme);
+  SceneView::setTheme(theme);
+}
+
+void PositionalSpaceView::lookFrom(CameraPreset preset) {
+  setCamera(scene_->camera(preset, width() / std::max(1.0, static_cast<double>(height()))));
+}
+
+void PositionalSpaceView::finishLoading() {
+  loader_->finish();
+}
+
+void PositionalSpaceView::picked(const SightLine& line) {
+  if (const auto cell = scene_->pick(line)) emit cellPicked(cell->row, cell->column);
+}
+
+void PositionalSpaceView::hovered(const SightLine& line) {
+  const auto cell = scene_->pick(line);
+  pointAt(cell ? cell->row : -1, cell ? cell->column : -1);
+  emit cellHovered(cell ? cell->row : -1, cell ? cell->column : -1);
+}
+
+void PositionalSpaceView::hoverLeft() {
+  pointAt(-1, -1);
+  emit cellHovered(-1, -1);
+}
+
+void PositionalSpaceView::movingChanged(bool moving) {
+  scene_->setMoving(moving);
+}
+
+Vec3 PositionalSpaceView::centreOf(const SightLine& line) const {
+  return scene_->pick(line) ? scene_->box().centre() : camera().target;
+}
+
+}  // namespace vantage
