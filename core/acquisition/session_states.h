@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,13 +23,16 @@ class SessionStates {
   void setProfile(const std::optional<ProfileSource>& source);
   [[nodiscard]] const std::shared_ptr<const ScannerProfile>& profile() const { return profile_; }
 
+  /// Takes steps out of a history that name positions which the profile does not have.
+  void dropImpossible(StoredHistory& history);
+
   /// The state after an entry of the history. A model that is not there is made again from the steps before it.
   [[nodiscard]] AcquisitionState state(const History& history, const HistoryEntry& entry);
 
   /// @throws InvalidInput when there is none or it is damaged
   [[nodiscard]] std::shared_ptr<const RangeImage> scan(std::int64_t number);
-  /// Null when it is not there or damaged.
-  [[nodiscard]] std::shared_ptr<const Model> model(std::int64_t step);
+  /// Null when it is not there, damaged or of more views.
+  [[nodiscard]] std::shared_ptr<const Model> model(std::int64_t step, std::size_t views);
   [[nodiscard]] std::shared_ptr<const Plan> plan(std::int64_t step);
 
   /// Writes a scan. @return its number
@@ -42,6 +46,12 @@ class SessionStates {
  private:
   [[nodiscard]] std::shared_ptr<const RayGrid> raysOf(std::int64_t id);
   [[nodiscard]] bool fits(const Plan& plan) const;
+  [[nodiscard]] std::shared_ptr<const ViewMesh> meshOf(std::int64_t scan, const RangeImage& image,
+                                                       const TriangulationOptions& triangulation);
+  /// The view with its record; nothing when the scan is lost.
+  [[nodiscard]] std::optional<LeftOutView> viewOf(const OutlinedView& outlined,
+                                                  const TriangulationOptions& triangulation);
+  void addViews(AcquisitionState& state, const StateOutline& outline);
   [[nodiscard]] OutlinedView outlined(const ViewRecord& record, const Pose& pose, const StateOutline& before,
                                       std::int64_t step);
   [[nodiscard]] std::shared_ptr<const Model> modelOf(const AcquisitionState& state, const History& history,
