@@ -54,8 +54,10 @@ struct Session::Parts {
     return std::make_shared<const AcquisitionState>(states.state(history, entry));
   }
 
-  void restore() {
-    states.setProfile(store.profileSource());
+  // Without a profile the one in the file is read.
+  void restore(std::shared_ptr<const ScannerProfile> profile = nullptr) {
+    if (!profile) profile = SessionStates::parsed(store.profileSource());
+    states.setProfile(std::move(profile));
     StoredHistory stored = store.history();
     losses.insert(losses.end(), stored.losses.begin(), stored.losses.end());
     states.dropImpossible(stored);
@@ -133,9 +135,7 @@ void writeNew(const std::string& path, const SessionStart& start) {
     if (start.profile) store.setProfileSource(*start.profile);
     if (start.object != nullptr) store.setObject(*start.object);
   });
-  parts.states.setProfile(start.profile);
   AcquisitionState state;
-  state.profile = parts.states.profile();
   state.settings = start.settings;
   parts.add(ChangeSettings{start.settings}, std::move(state));
 }
@@ -145,6 +145,7 @@ void writeNew(const std::string& path, const SessionStart& start) {
 // A session appears whole or not at all, and what was there before stays until then.
 Session Session::create(const std::string& path, const SessionStart& start) {
   SessionLock lock(path);
+  auto profile = SessionStates::parsed(start.profile);
   const std::string unfinished = path + ".new";
   writeNew(unfinished, start);
   std::error_code error;
@@ -153,7 +154,7 @@ Session Session::create(const std::string& path, const SessionStart& start) {
   if (error) throw IoError(path, "cannot be written: " + error.message());
   auto parts =
       std::make_unique<Parts>(path, SessionAccess::Write, std::move(lock), Database(path, Database::Mode::Write));
-  parts->restore();
+  parts->restore(std::move(profile));
   return Session(std::move(parts));
 }
 

@@ -33,8 +33,8 @@ void SessionStates::lose(const std::string& sentence) {
   if (std::find(losses_.begin(), losses_.end(), sentence) == losses_.end()) losses_.push_back(sentence);
 }
 
-void SessionStates::setProfile(const std::optional<ProfileSource>& source) {
-  if (source) profile_ = std::make_shared<const ScannerProfile>(parseProfile(*source));
+std::shared_ptr<const ScannerProfile> SessionStates::parsed(const std::optional<ProfileSource>& source) {
+  return source ? std::make_shared<const ScannerProfile>(parseProfile(*source)) : nullptr;
 }
 
 void SessionStates::dropImpossible(StoredHistory& history) {

@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "acquisition/history.h"
@@ -19,8 +20,11 @@ class SessionStates {
   /// Both must outlive it.
   SessionStates(SessionStore& store, std::vector<std::string>& losses) : store_(store), losses_(losses) {}
 
-  /// @throws InvalidInput when the profile cannot be read
-  void setProfile(const std::optional<ProfileSource>& source);
+  /// Null without a source. @throws InvalidInput when it is no profile
+  [[nodiscard]] static std::shared_ptr<const ScannerProfile> parsed(const std::optional<ProfileSource>& source);
+
+  /// Of the session: to be set before anything is asked for.
+  void setProfile(std::shared_ptr<const ScannerProfile> profile) { profile_ = std::move(profile); }
   [[nodiscard]] const std::shared_ptr<const ScannerProfile>& profile() const { return profile_; }
 
   /// Takes steps out of a history that name positions which the profile does not have.
