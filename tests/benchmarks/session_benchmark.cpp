@@ -41,25 +41,30 @@ void measureWriting(const std::string& folder) {
   const Progress progress = Progress().withThreads(2);
   const ScannerImages images = computeScannerImages(parseProfile(source), progress);
 
-  double writing = 0.0;
+  double creating = 0.0;
+  double keepingScans = 0.0;
+  double recording = 0.0;
   const auto begin = Clock::now();
-  Session session = timed(writing, [&] { return Session::create(folder + "/mug.vantage", {source, {}, &object}); });
+  Session session = timed(creating, [&] { return Session::create(folder + "/mug.vantage", {source, {}, &object}); });
   SimulatedScanner scanner(object, session.profile(), {});
   const ScanSource scans = [&](int position, const Progress& scanning) {
     const RangeImage image = scanner.scan(position, scanning);
-    return timed(writing, [&] {
+    return timed(keepingScans, [&] {
       const std::int64_t number = session.keepScan(image);
       return NumberedScan{number, session.scan(number)};
     });
   };
   const StepObserver observer = [&](const Command& command, const AcquisitionState& state) {
-    timed(writing, [&] { session.record(command, state); });
+    timed(recording, [&] { session.record(command, state); });
   };
   const AcquisitionState end = acquire(*session.state(), scans, images, observer, progress);
   const double all = secondsSince(begin);
-  std::printf("mug, %zu views: acquisition %.2f s, of that writing the session %.3f s = %.2f %%, file %.1f MB\n",
-              end.views.size(), all, writing, 100.0 * writing / (all - writing),
-              static_cast<double>(std::filesystem::file_size(session.path())) / 1e6);
+  const double writing = creating + keepingScans + recording;
+  std::printf(
+      "mug, %zu views: acquisition %.2f s, of that the session %.3f s (new %.3f, scans %.3f, steps %.3f) = %.2f %%, "
+      "file %.1f MB\n",
+      end.views.size(), all, writing, creating, keepingScans, recording, 100.0 * writing / (all - writing),
+      static_cast<double>(std::filesystem::file_size(session.path())) / 1e6);
 }
 
 double secondsToRead(const std::string& path) {
