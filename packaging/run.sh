@@ -17,9 +17,12 @@ scan_without_display() {
   build/release/bin/vantage-cli acquire --object resources/objects/mug.ply \
     --scanner resources/scanners/rotating_stripe.json --out out/mug --threads "$(nproc)" "$@"
   build/release/bin/vantage-cli report out/mug/session.vantage --out out/mug/report.html
+  for view in model void ps-void ps-seen ps-scanner objective; do
+    build/release/bin/vantage-cli render out/mug/session.vantage --view $view --out out/mug/$view.png >/dev/null
+  done
   echo
   echo "There is no display; the sample mug was scanned on the command line:"
-  for file in model.ply model.stl report.html report.json session.vantage; do
+  for file in model.ply model.stl report.html report.json session.vantage {model,void,ps-void,ps-seen,ps-scanner,objective}.png; do
     if [[ -e out/mug/$file ]]; then echo "  $PWD/out/mug/$file"; fi
   done
 }

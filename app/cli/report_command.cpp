@@ -1,10 +1,14 @@
+#include <QGuiApplication>
+#include <array>
 #include <memory>
 
 #include "acquisition/html_report.h"
 #include "cli/command.h"
 #include "cli/open_session.h"
 #include "cli/text.h"
+#include "osmesa/osmesa_window.h"
 #include "report_pictures.h"
+#include "scenes/model_scene.h"
 
 namespace vantage {
 namespace {
@@ -14,10 +18,39 @@ struct ReportArguments {
   std::string out;
 };
 
+// The model from a few sides, with the void that is left by its reason.
+std::vector<ReportPicture> modelPictures(const std::shared_ptr<const AcquisitionState>& state) {
+  if (!state->model) return {};
+  const QSize size(640, 480);
+  ModelScene scene;
+  ModelViewOptions options;
+  options.voidColouring = VoidColouring::State;
+  scene.setTheme(lightTheme());
+  scene.setOptions(options);
+  scene.set(makeSnapshot(state), prepareModelGeometry(state->model));
+  const auto window = osmesaWindows()();
+  std::vector<ReportPicture> pictures;
+  for (const auto& [preset, caption] :
+       {std::pair{CameraPreset::Oblique, "The model, and by colour why the void beside it is left"},
+        std::pair{CameraPreset::Front, "From the front"}, std::pair{CameraPreset::Top, "From above"}}) {
+    scene.scene().setCamera(scene.camera(preset, static_cast<double>(size.width()) / size.height()));
+    pictures.push_back(
+        toReportPicture(makePicture(scene.scene(), scene.overlay(), lightTheme(), *window, size, 1.0), caption));
+  }
+  return pictures;
+}
+
 void run(const ReportArguments& args, CommandContext& context) {
   const auto state = readSession(args.session, context);
   HtmlReportOptions options;
   options.version = VANTAGE_VERSION;
+  // Text in pictures needs an application, and that needs no display.
+  qputenv("QT_QPA_PLATFORM", "offscreen");
+  int count = 1;
+  std::array<char, 12> name{"vantage-cli"};
+  char* arguments = name.data();
+  const QGuiApplication application(count, &arguments);
+  options.pictures = modelPictures(state);
   options.viewPictures = scanPictures(*state);
   writeTextFile(args.out, makeHtmlReport(*state, options));
   context.result({{"file", args.out}, {"views", state->views.size()}},

@@ -29,6 +29,7 @@ WhyPanel::WhyPanel(PositionInspector& inspector, QWidget* parent)
     column->addWidget(part);
   column->addStretch();
   picture_->setMinimumHeight(220);
+  setMinimumWidth(330);
   setWidget(content);
   connect(&inspector, &PositionInspector::changed, this, &WhyPanel::refresh);
   refresh();

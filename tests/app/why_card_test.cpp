@@ -9,12 +9,10 @@ namespace {
 std::shared_ptr<const Plan> makePlan() {
   auto plan = std::make_shared<Plan>();
   auto voids = std::make_shared<VoidSurface>();
-  for (const auto edgeClass : {EdgeClass::OuterJump, EdgeClass::Rim}) {
-    VoidPatch patch;
-    patch.edgeClass = edgeClass;
-    patch.weight = 12.5;
-    voids->patches.push_back(patch);
-  }
+  voids->patches.resize(2);
+  voids->patches[1].edgeClass = EdgeClass::Rim;
+  for (VoidPatch& patch : voids->patches) patch.weight = 12.5;
+  voids->patches[0].edgeClass = EdgeClass::OuterJump;
   plan->voids = voids;
   plan->outcome = PlanOutcome::Found;
   plan->position = 1;

@@ -9,17 +9,6 @@
 namespace vantage::testing {
 namespace {
 
-// About 3 mm between samples: a run takes seconds.
-const char* const kProfile = R"({
-  "name": "Coarse scanner",
-  "scanner": { "type": "rotating_stripe", "position": [300, 0, 75], "stripe_height_mm": 150, "samples_per_stripe": 61,
-    "stripes": 91, "sweep_deg": 40, "receivers": [[60, 0, 0]], "breakdown_angle_deg": 60, "range_mm": [100, 500],
-    "noise": { "range_sigma_mm": 0.05, "dropout": 0.0 } },
-  "workspace": { "type": "turntable", "steps": 60 },
-  "viewing_volume": { "radius_mm": 90, "height_mm": 150 },
-  "positional_space": { "surface": "cylinder", "rows": 12, "columns": 60 },
-  "mechanics": { "angle_sigma_deg": 0.2, "position_sigma_mm": 0.2 } })";
-
 std::shared_ptr<const PlanImages> imagesOf(const AcquisitionState& state, const ScannerImages& scannerImages) {
   const auto plan = state.records.back().plan;
   return std::make_shared<const PlanImages>(
@@ -29,7 +18,8 @@ std::shared_ptr<const PlanImages> imagesOf(const AcquisitionState& state, const 
 
 std::vector<SharedSnapshot> acquireMug() {
   AcquisitionState state;
-  state.profile = std::make_shared<const ScannerProfile>(parseProfile({"coarse.json", kProfile, {}}));
+  state.profile =
+      std::make_shared<const ScannerProfile>(loadProfile(VANTAGE_SOURCE_DIR "/tests/screenshots/coarse_scanner.json"));
   state.settings.maxViews = 12;
   const auto images = std::make_shared<const ScannerImages>(computeScannerImages(*state.profile));
   SimulatedScanner scanner(loadMesh(VANTAGE_SOURCE_DIR "/resources/objects/mug.ply").mesh, state.profile, {1, false});

@@ -93,7 +93,7 @@ TEST_P(Views, ModelByConfidence) {
 TEST_P(Views, ModelByView) {
   const QImage image = model(mugFinished(), {.colouring = ModelColouring::View, .voidPatches = false});
   expectLegend(image, "Surface by view", true);
-  EXPECT_TRUE(showsColour(image, toColour(categoryColour(1)), 0.002, 60));
+  EXPECT_TRUE(showsColour(image, toColour(categoryColour(1)), 0.0008, 60));
   EXPECT_TRUE(matchesBaseline(image, named("model_view")));
 }
 
@@ -113,8 +113,8 @@ TEST_P(Views, RangingRaysOfTheLastAndTheProposedView) {
   const QImage image =
       model(mugUnderWay(), {.voidPatches = false, .currentRays = true, .proposedRays = true}, CameraPreset::Top);
   expectLegend(image, "Ranging rays", true);
-  EXPECT_TRUE(showsColour(image, theme().current, 0.001, 60));
-  EXPECT_TRUE(showsColour(image, theme().proposed, 0.001, 60));
+  EXPECT_TRUE(showsColour(image, theme().current, 0.0004, 60));
+  EXPECT_TRUE(showsColour(image, theme().proposed, 0.0004, 60));
   EXPECT_TRUE(matchesBaseline(image, named("model_rays")));
 }
 
@@ -188,7 +188,7 @@ TEST_P(Views, ObjectiveAsADial) {
   const QImage image = objective(mugUnderWay(), ObjectiveStyle::Dial, kSize);
   expectTitle(image, QString("Next best view: position %1").arg(mugUnderWay()->proposed()));
   EXPECT_TRUE(showsText(image, "o_s: overlap", theme().text, 11.0));
-  EXPECT_TRUE(showsColour(image, toColour(categoryColour(1)), 0.002));
+  EXPECT_TRUE(showsColour(image, toColour(categoryColour(1)), 0.001));
   EXPECT_TRUE(showsColour(image, theme().threshold, 0.0005, 60));
   EXPECT_TRUE(matchesBaseline(image, named("objective_dial")));
 }

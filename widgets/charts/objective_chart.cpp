@@ -174,7 +174,7 @@ struct Bars {
   double step;
 
   Bars(const QRectF& area, std::size_t count) {
-    const QRectF room = area.adjusted(kLeft, kTitle + 24.0, -kRight, -kLegendHeight - 20.0);
+    const QRectF room = area.adjusted(kLeft, kTitle + 34.0, -kRight, -kLegendHeight - 20.0);
     const double height = 0.5 * (room.height() - kGap);
     upper = QRectF(room.left(), room.top(), room.width(), height);
     lower = QRectF(room.left(), room.bottom() - height, room.width(), height);

@@ -10,10 +10,10 @@ namespace vantage {
 namespace {
 
 constexpr double kLeft = 56.0;
-constexpr double kRight = 14.0;
-constexpr double kTop = 44.0;
+constexpr double kRight = 22.0;
+constexpr double kTop = 68.0;
 constexpr double kBottom = 26.0;
-constexpr double kLegendSpace = 46.0;
+constexpr double kLegendSpace = 22.0;
 
 struct Layout {
   QRectF map;
@@ -108,10 +108,9 @@ void paintUnrolledMap(QPainter& painter, const QRectF& area, const CellField& fi
     outline(painter, layout, marks.row, marks.column, QPen(Qt::white, 1.5));
   }
   painter.restore();
-  const Legend legend = ScaleLegend{QCoreApplication::translate("PositionalSpace", "Per cell"), field.unit, 0.0,
-                                    field.maximum, field.map};
-  const QSizeF size = legendSize(legend);
-  paintLegend(painter, {area.right() - kRight - size.width(), area.bottom() - size.height() - 2.0}, legend, theme);
+  paintScaleLine(
+      painter, QRectF(area.left() + kLeft, area.bottom() - 22.0, area.width() - kLeft - kRight, 17.0),
+      {QCoreApplication::translate("PositionalSpace", "per cell"), field.unit, 0.0, field.maximum, field.map}, theme);
 }
 
 MapCell cellAt(const QPointF& point, const QRectF& area, const PositionalSpaceShape& shape) {

@@ -30,7 +30,7 @@ struct DirectionWindow {
 struct PositionalViewOptions {
   PositionalImageKind kind = PositionalImageKind::Void;
   std::optional<DirectionWindow> direction = std::nullopt;  ///< unset: summed over all directions
-  std::optional<int> position = std::nullopt;              ///< of P_c^i; unset: all positions
+  std::optional<int> position = std::nullopt;               ///< of P_c^i; unset: all positions
   bool legends = true;
 
   bool operator==(const PositionalViewOptions&) const = default;

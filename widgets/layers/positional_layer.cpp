@@ -13,11 +13,14 @@ constexpr double kVeil = 0.13;
 constexpr double kHighlightWidth = 2.0;
 constexpr double kHighlightInFront = 6.0;
 
+// Cells are drawn this much larger than they are, so that no light shows between them.
+constexpr double kOverlap = 1.004;
+
 // Corners of a cell, counter-clockwise seen from outside.
 std::array<Vec3, 4> cornersOf(const SurfaceCell& cell) {
   const auto corner = [&](double across, double up) {
     const double half = cell.halfWidth * (1.0 - cell.taper * up * cell.halfHeight);
-    return Vec3(cell.centre + across * half * cell.across + up * cell.halfHeight * cell.up);
+    return Vec3(cell.centre + kOverlap * (across * half * cell.across + up * cell.halfHeight * cell.up));
   };
   return {corner(-1.0, -1.0), corner(1.0, -1.0), corner(1.0, 1.0), corner(-1.0, 1.0)};
 }

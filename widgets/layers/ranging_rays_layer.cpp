@@ -14,16 +14,17 @@ namespace vantage {
 namespace {
 
 // Rays drawn along either side of the grid: enough to see the fan, few enough to see through it.
-constexpr int kRaysAlong = 9;
+constexpr int kColumns = 9;
+constexpr int kRows = 4;
 constexpr double kRayWidth = 1.0;
 constexpr double kHeadWidth = 3.0;
-constexpr double kRayOpacity = 0.55;
+constexpr double kRayOpacity = 0.45;
 constexpr double kReceiverSize = 7.0;  // [mm]
 
 using Segment = std::array<Vec3, 2>;
 
-int spread(int k, int count) {
-  return static_cast<int>(std::lround(static_cast<double>(k) * (count - 1) / (kRaysAlong - 1)));
+int spread(int k, int chosen, int count) {
+  return static_cast<int>(std::lround(static_cast<double>(k) * (count - 1) / (chosen - 1)));
 }
 
 // Where a ray leaves the viewing volume; unset when it misses it.
@@ -110,9 +111,9 @@ void RangingRaysLayer::draw(const Drawing& drawing) {
   std::vector<Segment> head;
   Mesh receivers;
   const Pose& pose = drawing.T_object_scanner;
-  for (int i = 0; i < kRaysAlong; ++i) {
-    for (int k = 0; k < kRaysAlong; ++k) {
-      const std::size_t index = grid.index(spread(i, grid.rows()), spread(k, grid.columns()));
+  for (int i = 0; i < kRows; ++i) {
+    for (int k = 0; k < kColumns; ++k) {
+      const std::size_t index = grid.index(spread(i, kRows, grid.rows()), spread(k, kColumns, grid.columns()));
       const Vec3 origin = pose * grid.ray(index).origin;
       const Vec3 direction = pose.linear() * grid.ray(index).direction;
       const auto end = drawing.meets(index, origin, direction);
@@ -120,10 +121,12 @@ void RangingRaysLayer::draw(const Drawing& drawing) {
       if (reach) rays.push_back({origin, origin + *reach * direction});
       if (i > 0)
         head.push_back(
-            {pose * grid.ray(grid.index(spread(i - 1, grid.rows()), spread(k, grid.columns()))).origin, origin});
+            {pose * grid.ray(grid.index(spread(i - 1, kRows, grid.rows()), spread(k, kColumns, grid.columns()))).origin,
+             origin});
       if (k > 0)
         head.push_back(
-            {pose * grid.ray(grid.index(spread(i, grid.rows()), spread(k - 1, grid.columns()))).origin, origin});
+            {pose * grid.ray(grid.index(spread(i, kRows, grid.rows()), spread(k - 1, kColumns, grid.columns()))).origin,
+             origin});
     }
   }
   const std::size_t middle = grid.index(grid.rows() / 2, grid.columns() / 2);

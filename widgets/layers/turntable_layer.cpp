@@ -18,9 +18,11 @@ constexpr int kSegments = 180;
 constexpr double kCircleStep = 50.0;   // [mm]
 constexpr int kLabelStep = 30;         // [degrees]
 constexpr int kTickStep = 10;          // [degrees]
-constexpr double kTextHeight = 0.062;  // of the radius
-constexpr double kRim = 1.17;          // of the radius: the disc ends beyond the labels
-constexpr double kBelow = 0.4;         // the disc lies below what stands on it [mm]
+constexpr double kTextHeight = 0.085;  // of the radius
+constexpr double kRim = 1.22;          // of the radius: the disc ends beyond the labels
+constexpr double kLinesAt = 0.2;       // lines and labels lie above it [mm]
+constexpr double kLabelsAt = 0.5;
+constexpr double kBelow = 0.4;  // the disc lies below what stands on it [mm]
 
 using Segment = std::array<Vec3, 2>;
 
@@ -38,8 +40,8 @@ Mesh disc(double radius) {
 
 void addCircle(std::vector<Segment>& lines, double radius) {
   for (int i = 0; i < kSegments; ++i)
-    lines.push_back(
-        {onCircle(radius, 2.0 * kPi * i / kSegments, 0.0), onCircle(radius, 2.0 * kPi * (i + 1) / kSegments, 0.0)});
+    lines.push_back({onCircle(radius, 2.0 * kPi * i / kSegments, kLinesAt),
+                     onCircle(radius, 2.0 * kPi * (i + 1) / kSegments, kLinesAt)});
 }
 
 std::vector<Segment> scaleLines(double radius) {
@@ -48,7 +50,8 @@ std::vector<Segment> scaleLines(double radius) {
   addCircle(lines, radius);
   for (int degree = 0; degree < 360; degree += kTickStep) {
     const double length = degree % kLabelStep == 0 ? 0.05 : 0.025;
-    lines.push_back({onCircle(radius, radians(degree), 0.0), onCircle((1.0 + length) * radius, radians(degree), 0.0)});
+    lines.push_back(
+        {onCircle(radius, radians(degree), kLinesAt), onCircle((1.0 + length) * radius, radians(degree), kLinesAt)});
   }
   return lines;
 }
@@ -84,10 +87,10 @@ Mesh labels(double radius) {
   for (int degree = 0; degree < 360; degree += kLabelStep) {
     const Vec3 inward = -onCircle(1.0, radians(degree), 0.0);
     // Read from outside, where the one who looks at the object stands.
-    addText(mesh, std::to_string(degree), onCircle(1.11 * radius, radians(degree), 0.0), -inward, height);
+    addText(mesh, std::to_string(degree), onCircle(1.13 * radius, radians(degree), kLabelsAt), -inward, height);
   }
   for (double r = kCircleStep; r < radius - 1.0; r += kCircleStep)
-    addText(mesh, std::to_string(static_cast<int>(r)) + " mm", onCircle(r, radians(15.0), 0.0),
+    addText(mesh, std::to_string(static_cast<int>(r)) + " mm", onCircle(r, radians(15.0), kLabelsAt),
             onCircle(1.0, radians(15.0), 0.0), 0.8 * height);
   return mesh;
 }

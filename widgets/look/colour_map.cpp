@@ -49,7 +49,8 @@ constexpr std::array<Rgb, kPatchStates> kStateColours{{{0xE6, 0x9F, 0x00},    //
                                                        {0x33, 0x5C, 0x81},    // out of reach
                                                        {0xCC, 0x79, 0xA7},    // too steep
                                                        {0x56, 0xB4, 0xE9},    // light blocked
-                                                       {0x00, 0x9E, 0x73}}};  // receiver blocked
+                                                       {0x00, 0x9E, 0x73},    // receiver blocked
+                                                       {0xC8, 0xB8, 0x8A}}};  // too little to gain
 
 std::span<const Rgb> anchors(ColourMap map) {
   if (map == ColourMap::Viridis) return kViridis;
@@ -96,6 +97,7 @@ PatchState patchState(const PatchOutlook& outlook, PlanOutcome outcome) {
     if (outlook.reason == EdgeReason::TooSteep) return PatchState::TooSteep;
     if (outlook.reason == EdgeReason::LightBlocked) return PatchState::LightBlocked;
     if (outlook.reason == EdgeReason::ReceiverBlocked) return PatchState::ReceiverBlocked;
+    return PatchState::TooLittle;
   }
   return outlook.looks > 0 ? PatchState::LookedAt : PatchState::Open;
 }

@@ -29,8 +29,17 @@ enum class ColourMap : std::uint8_t {
 [[nodiscard]] Rgb edgeClassColour(EdgeClass edgeClass);
 
 /// What is known of a void patch, as the views tell it.
-enum class PatchState : std::uint8_t { Open, LookedAt, Answered, OutOfReach, TooSteep, LightBlocked, ReceiverBlocked };
-inline constexpr std::size_t kPatchStates = 7;
+enum class PatchState : std::uint8_t {
+  Open,
+  LookedAt,
+  Answered,
+  OutOfReach,
+  TooSteep,
+  LightBlocked,
+  ReceiverBlocked,
+  TooLittle
+};
+inline constexpr std::size_t kPatchStates = 8;
 
 /// The state of a patch. Reasons count once the plan proposes no view any more.
 [[nodiscard]] PatchState patchState(const PatchOutlook& outlook, PlanOutcome outcome);

@@ -46,6 +46,9 @@ struct Overlay {
 [[nodiscard]] QSizeF legendSize(const Legend& legend);
 void paintLegend(QPainter& painter, const QPointF& topLeft, const Legend& legend, const Theme& theme);
 
+/// A colour scale in one line, to the right of it.
+void paintScaleLine(QPainter& painter, const QRectF& line, const ScaleLegend& legend, const Theme& theme);
+
 void paintOverlay(QPainter& painter, const QRectF& area, const Overlay& overlay, const Theme& theme);
 
 }  // namespace vantage

@@ -42,9 +42,11 @@ const char* stateText(PatchState state) {
     case PatchState::LightBlocked:
       return QT_TRANSLATE_NOOP("ModelView", "light blocked");
     case PatchState::ReceiverBlocked:
+      return QT_TRANSLATE_NOOP("ModelView", "receiver blocked");
+    case PatchState::TooLittle:
       break;
   }
-  return QT_TRANSLATE_NOOP("ModelView", "receiver blocked");
+  return QT_TRANSLATE_NOOP("ModelView", "too little for a view");
 }
 
 KeyLegend edgeClassLegend(const VoidSurface& voids) {
@@ -164,7 +166,8 @@ BoundingBox ModelScene::box() const {
   const bool table = options_.turntable && profile != nullptr;
   BoundingBox box = geometry_ ? geometry_->box : BoundingBox{};
   if (table || !geometry_) {
-    const double radius = profile != nullptr ? 1.17 * profile->viewingVolume.radius : 100.0;
+    // A box whose corners lie on the disc: its sides reach into the corners of a picture of it.
+    const double radius = profile != nullptr ? 0.95 * profile->viewingVolume.radius : 100.0;
     if (!geometry_) box = {Vec3(0.0, 0.0, 0.0), Vec3(0.0, 0.0, 0.3 * radius)};
     box.extend({-radius, -radius, 0.0});
     box.extend({radius, radius, 0.0});
@@ -204,7 +207,7 @@ Overlay ModelScene::overlay() const {
   if (options_.surface && options_.colouring == ModelColouring::View)
     overlay.legends.emplace_back(viewLegend(state.views));
   if (options_.surface && options_.colouring == ModelColouring::Age)
-    overlay.legends.emplace_back(ScaleLegend{text("Surface by age"), text("newest view"), 1.0,
+    overlay.legends.emplace_back(ScaleLegend{text("Surface by age"), text("view"), 1.0,
                                              static_cast<double>(state.views.size()), ColourMap::Viridis});
   KeyLegend rays{text("Ranging rays"), {}};
   if (options_.currentRays)

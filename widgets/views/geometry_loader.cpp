@@ -39,10 +39,10 @@ void GeometryLoader::load(const std::shared_ptr<const Model>& model, const Show&
           store->keep(geometry);
           deliver([show, geometry] { show(geometry); });
         }
-        const auto complete = withStandIn(geometry, {}, progress.part(0.2, 1.0));
-        if (complete == geometry) return;
-        store->keep(complete);
-        deliver([show, complete] { show(complete); });
+        const auto withCoarse = withStandIn(geometry, {}, progress.part(0.2, 1.0));
+        if (withCoarse == geometry) return;
+        store->keep(withCoarse);
+        deliver([show, withCoarse] { show(withCoarse); });
       },
       failed);
 }

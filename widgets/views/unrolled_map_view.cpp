@@ -66,7 +66,7 @@ void UnrolledMapView::paintEvent(QPaintEvent*) {
     return;
   }
   QStringList notes;
-  if (row_ >= 0) notes << describeCell(*snapshot_, *field_, row_, column_).join(QStringLiteral("; "));
+  if (row_ >= 0) notes << describeCell(*snapshot_, *field_, row_, column_);
   paintUnrolledMap(painter, rect(), *field_, notes, {highlighted_, row_, column_}, *theme_);
 }
 

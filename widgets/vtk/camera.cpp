@@ -7,7 +7,7 @@ namespace vantage {
 namespace {
 
 // Room left around what is looked at.
-constexpr double kMargin = 1.06;
+constexpr double kMargin = 1.12;
 
 }  // namespace
 
