@@ -1,6 +1,7 @@
 #include "acquisition/patient_scanner.h"
 
 #include <condition_variable>
+#include <cstdint>
 #include <exception>
 #include <mutex>
 #include <optional>
@@ -13,6 +14,13 @@ namespace vantage {
 namespace {
 
 constexpr std::chrono::milliseconds kLook{20};
+// A device that listens ends within this when it is asked to stop.
+constexpr std::chrono::milliseconds kGrace{300};
+
+std::string seconds(std::chrono::milliseconds duration) {
+  const std::int64_t tenths = duration.count() / 100;
+  return std::to_string(tenths / 10) + "." + std::to_string(tenths % 10);
+}
 
 // What the thread that waits shares with the one that scans.
 struct Conversation {
@@ -64,15 +72,15 @@ RangeImage PatientScanner::scan(int position, const Progress& progress) {
   while (!talk->changed.wait_for(lock, kLook, [&] { return talk->done; })) {
     const bool silent = std::chrono::steady_clock::now() - talk->heard > patience_;
     const double fraction = talk->fraction;
-    lock.unlock();
     if (silent || progress.stopRequested()) {
       stop.request_stop();
-      givenUp_ = silent;
+      talk->changed.wait_for(lock, kGrace, [&] { return talk->done; });
+      givenUp_ = !talk->done;
     }
-    if (silent)
-      throw DeviceError("the scanner has not answered for " +
-                        std::to_string(std::chrono::duration<double>(patience_).count()) + " s at position " +
+    if (silent && givenUp_)
+      throw DeviceError("the scanner has not answered for " + seconds(patience_) + " s at position " +
                         std::to_string(position) + "; the session is whole, go on when it is back");
+    lock.unlock();
     progress.checkpoint(fraction);
     lock.lock();
   }

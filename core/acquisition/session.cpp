@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "acquisition/session_lock.h"
+#include "acquisition/session_opening.h"
 #include "acquisition/session_rescue.h"
 #include "acquisition/session_schema.h"
 #include "acquisition/session_states.h"
@@ -53,13 +54,16 @@ struct Session::Parts {
     return std::make_shared<const AcquisitionState>(states.state(history, entry));
   }
 
-  void restore() {
+  // Without a profile the one in the file is read.
+  void restore(std::shared_ptr<const ScannerProfile> profile = nullptr) {
+    if (!profile) profile = SessionStates::parsed(store.profileSource());
+    states.setProfile(std::move(profile));
     StoredHistory stored = store.history();
     losses.insert(losses.end(), stored.losses.begin(), stored.losses.end());
+    states.dropImpossible(stored);
     if (stored.entries.empty())
       throw InvalidInput(path + ": no step of the session is readable; its scans may still be in the table scan");
     history.restore(std::move(stored.entries), stored.cursor);
-    states.setProfile(store.profileSource());
   }
 
   void mustBeWritable() const {
@@ -118,89 +122,54 @@ Session::Session(Session&& other) noexcept = default;
 Session& Session::operator=(Session&& other) noexcept = default;
 Session::~Session() = default;
 
-Session Session::create(const std::string& path, const SessionStart& start) {
-  SessionLock lock(path);
-  auto parts =
-      std::make_unique<Parts>(path, SessionAccess::Write, std::move(lock), Database(path, Database::Mode::Create));
-  parts->file = fileBehind(path);
-  SessionStore& store = parts->store;
+namespace {
+
+// Writes a new session under another name.
+void writeNew(const std::string& path, const SessionStart& start) {
+  Session::Parts parts(path, SessionAccess::Write, std::nullopt, Database(path, Database::Mode::Create));
+  SessionStore& store = parts.store;
+  // Nobody knows the file yet: it need not be on the disk before it is closed.
+  store.database().run("PRAGMA synchronous=NORMAL");
   transact(store, [&] {
     createSessionTables(store.database());
     if (start.profile) store.setProfileSource(*start.profile);
     if (start.object != nullptr) store.setObject(*start.object);
   });
-  parts->states.setProfile(start.profile);
   AcquisitionState state;
-  state.profile = parts->states.profile();
   state.settings = start.settings;
-  parts->add(ChangeSettings{start.settings}, std::move(state));
-  return Session(std::move(parts));
-}
-
-namespace {
-
-// A session that is opened for reading: what is damaged or of an earlier version is made good in memory.
-Database openedForReading(const std::string& path, std::vector<std::string>& losses) {
-  Database database(path, Database::Mode::Read);
-  const int version = checkSessionTables(database);
-  if (!database.sound()) {
-    Database copy = Database::inMemory(path);
-    losses = rescueRows(database, copy);
-    return copy;
-  }
-  if (version == kSessionSchema) return database;
-  Database copy = database.copyInMemory();
-  migrateSession(copy);
-  return copy;
-}
-
-// What of a sound database cannot be read.
-std::vector<std::string> damagedScans(SessionStore& store) {
-  std::vector<std::string> losses = store.history().losses;
-  for (std::int64_t number = 0; number < store.scanCount(); ++number) {
-    try {
-      static_cast<void>(store.scan(number));
-    } catch (const InvalidInput& e) {
-      losses.emplace_back(e.what());
-    }
-  }
-  return losses;
-}
-
-// Looks at a session before anything is written to it. One that is damaged is copied beside itself first.
-void prepareForWriting(const std::string& path, std::vector<std::string>& losses) {
-  bool sound = true;
-  {
-    Database database(path, Database::Mode::Read);
-    const int version = checkSessionTables(database);
-    sound = database.sound();
-    SessionStore store(std::move(database));
-    if (sound && (version != kSessionSchema || damagedScans(store).empty())) return;
-  }
-  const std::string copy = copyBeside(path);
-  losses.push_back(path + ": is damaged; before anything was written to it, it was copied to " + copy);
-  if (sound) return;
-  const std::vector<std::string> lost = rescueInPlace(path);
-  losses.insert(losses.end(), lost.begin(), lost.end());
+  parts.add(ChangeSettings{start.settings}, std::move(state));
 }
 
 }  // namespace
+
+// A session appears whole or not at all, and what was there before stays until then.
+Session Session::create(const std::string& path, const SessionStart& start) {
+  SessionLock lock(path);
+  auto profile = SessionStates::parsed(start.profile);
+  const std::string unfinished = path + ".new";
+  writeNew(unfinished, start);
+  std::error_code error;
+  for (const char* suffix : {"-wal", "-shm"}) std::filesystem::remove(path + suffix, error);
+  std::filesystem::rename(unfinished, path, error);
+  if (error) throw IoError(path, "cannot be written: " + error.message());
+  auto parts =
+      std::make_unique<Parts>(path, SessionAccess::Write, std::move(lock), Database(path, Database::Mode::Write));
+  parts->restore(std::move(profile));
+  return Session(std::move(parts));
+}
 
 Session Session::open(const std::string& path, SessionAccess access, const Progress& progress) {
   if (!std::filesystem::is_regular_file(path)) throw IoError(path, "is no session: there is no such file");
   std::vector<std::string> losses;
   std::unique_ptr<Parts> parts;
   if (access == SessionAccess::Read) {
-    Database database = openedForReading(path, losses);
-    parts = std::make_unique<Parts>(path, access, std::nullopt, std::move(database));
+    parts = std::make_unique<Parts>(path, access, std::nullopt, openSessionForReading(path, losses));
   } else {
     SessionLock lock(path);
-    prepareForWriting(path, losses);
-    progress.checkpoint(0.5);
-    Database database(path, Database::Mode::Write);
-    if (checkSessionTables(database) != kSessionSchema) migrateSession(database);
+    Database database = openSessionForWriting(path, losses);
     parts = std::make_unique<Parts>(path, access, std::move(lock), std::move(database));
   }
+  progress.checkpoint(0.5);
   parts->losses = std::move(losses);
   parts->restore();
   progress.checkpoint(1.0);
@@ -233,7 +202,7 @@ std::shared_ptr<const Model> Session::model(std::size_t index) const {
   const std::lock_guard guard(parts_->mutex);
   const HistoryEntry& entry = parts_->history.entry(index);
   if (entry.outline->modelStep == 0) return nullptr;
-  if (auto model = parts_->states.model(entry.outline->modelStep)) return model;
+  if (auto model = parts_->states.model(entry.outline->modelStep, entry.outline->views.size())) return model;
   return parts_->history.state(index)->model;
 }
 
@@ -286,7 +255,11 @@ std::optional<NumberedScan> Session::unusedScan() const {
   const std::lock_guard guard(parts_->mutex);
   const std::int64_t last = parts_->store.scanCount() - 1;
   if (last < 0 || parts_->store.scanUsed(last)) return std::nullopt;
-  return NumberedScan{last, parts_->states.scan(last)};
+  try {
+    return NumberedScan{last, parts_->states.scan(last)};
+  } catch (const InvalidInput&) {
+    return std::nullopt;
+  }
 }
 
 void Session::record(const Command& command, AcquisitionState state) {

@@ -64,13 +64,13 @@ class Session {
   /// @throws IoError when the file is gone, InvalidInput when it has changed or the session never had one.
   [[nodiscard]] Mesh object(const Progress& progress = {}) const;
 
-  /// Keeps a scan for ever, before anything is made of it. @return its number. @throws IoError
+  /// Keeps a scan for ever, before anything is made of it. @return its number. @throws IoError as record
   std::int64_t keepScan(const RangeImage& image);
-  /// The last scan, when no command has used it: a run was interrupted before it could be added.
+  /// The last scan, when it is whole and no command has used it: a run was interrupted before it could be added.
   [[nodiscard]] std::optional<NumberedScan> unusedScan() const;
 
-  /// Appends a command with the state that it led to.
-  /// @throws IoError when it cannot be written (disk full, file removed): the session is as it was before.
+  /// Appends a command with the state it led to. @throws IoError when it cannot be written (disk full): nothing has
+  /// changed; when the file was removed or replaced: all of it, with this command, is in a copy that the message names.
   void record(const Command& command, AcquisitionState state);
   void undo();
   void redo();
@@ -82,8 +82,9 @@ class Session {
   /// Writes the whole session to another file, also when its own was removed. @throws IoError
   void copyTo(const std::string& path) const;
 
- private:
   struct Parts;
+
+ private:
   explicit Session(std::unique_ptr<Parts> parts);
   std::unique_ptr<Parts> parts_;
 };

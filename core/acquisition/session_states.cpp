@@ -20,10 +20,10 @@ bool fits(const Model& model, const std::vector<View>& views) {
 }
 
 // Whether the patches of a plan lie on a model.
-bool fits(const Plan& plan, const Model& model) {
+bool fits(const Plan& plan, const Model& model, std::size_t views) {
   return std::all_of(plan.voids->patches.begin(), plan.voids->patches.end(), [&](const VoidPatch& p) {
     return p.from < model.mesh.vertices.size() && p.to < model.mesh.vertices.size() &&
-           p.triangle < model.mesh.triangles.size();
+           p.triangle < model.mesh.triangles.size() && p.view < views;
   });
 }
 
@@ -33,8 +33,25 @@ void SessionStates::lose(const std::string& sentence) {
   if (std::find(losses_.begin(), losses_.end(), sentence) == losses_.end()) losses_.push_back(sentence);
 }
 
-void SessionStates::setProfile(const std::optional<ProfileSource>& source) {
-  if (source) profile_ = std::make_shared<const ScannerProfile>(parseProfile(*source));
+std::shared_ptr<const ScannerProfile> SessionStates::parsed(const std::optional<ProfileSource>& source) {
+  return source ? std::make_shared<const ScannerProfile>(parseProfile(*source)) : nullptr;
+}
+
+void SessionStates::dropImpossible(StoredHistory& history) {
+  const int positions = profile_ ? static_cast<int>(profile_->workspace.size()) : 0;
+  const auto exists = [&](const OutlinedView& view) {
+    return view.record->position >= -1 && view.record->position < positions;
+  };
+  for (std::size_t i = history.entries.size(); i-- > 0;) {
+    const StateOutline& outline = *history.entries[i].outline;
+    bool possible = outline.chosenPosition < positions;
+    for (const auto* list : {&outline.views, &outline.rejected, &outline.leftOut})
+      possible = possible && std::all_of(list->begin(), list->end(), exists);
+    if (possible) continue;
+    lose(store_.path() + ": step " + std::to_string(history.entries[i].step) + " is lost: it names no position");
+    history.entries.erase(history.entries.begin() + static_cast<std::ptrdiff_t>(i));
+    if (history.cursor > 0 && history.cursor >= i) --history.cursor;
+  }
 }
 
 std::shared_ptr<const RayGrid> SessionStates::raysOf(std::int64_t id) {
@@ -73,10 +90,14 @@ std::int64_t SessionStates::keep(const RangeImage& image) {
   return store_.addScan(image, rays);
 }
 
-std::shared_ptr<const Model> SessionStates::model(std::int64_t step) {
+std::shared_ptr<const Model> SessionStates::model(std::int64_t step, std::size_t views) {
   if (auto model = models_[step].lock()) return model;
   try {
     auto model = store_.model(step);
+    const auto known = [&](std::uint32_t view) { return view < views; };
+    if (model && !(std::all_of(model->vertexView.begin(), model->vertexView.end(), known) &&
+                   std::all_of(model->triangleView.begin(), model->triangleView.end(), known)))
+      throw InvalidInput(store_.path() + ": model " + std::to_string(step) + " is of other views");
     models_[step] = model;
     return model;
   } catch (const InvalidInput& e) {
@@ -104,61 +125,71 @@ std::shared_ptr<const Plan> SessionStates::plan(std::int64_t step) {
   }
 }
 
+std::shared_ptr<const ViewMesh> SessionStates::meshOf(std::int64_t scan, const RangeImage& image,
+                                                      const TriangulationOptions& triangulation) {
+  if (auto mesh = meshes_[scan].lock()) return mesh;
+  auto mesh = std::make_shared<const ViewMesh>(triangulate(image, triangulation));
+  meshes_[scan] = mesh;
+  return mesh;
+}
+
+std::optional<LeftOutView> SessionStates::viewOf(const OutlinedView& outlined,
+                                                 const TriangulationOptions& triangulation) {
+  try {
+    LeftOutView found;
+    found.view.image = scan(outlined.scan);
+    found.view.mesh = meshOf(outlined.scan, *found.view.image, triangulation);
+    found.view.T_object_scanner = outlined.T_object_scanner;
+    found.record = *outlined.record;
+    found.record.position = found.view.image->position;
+    found.record.plan = plan(outlined.planStep);
+    return found;
+  } catch (const InvalidInput& e) {
+    lose(e.what());
+    return std::nullopt;
+  }
+}
+
+void SessionStates::addViews(AcquisitionState& state, const StateOutline& outline) {
+  const TriangulationOptions triangulation = stepOptionsFor(state).triangulation;
+  for (const OutlinedView& o : outline.views) {
+    auto found = viewOf(o, triangulation);
+    if (!found) continue;
+    state.views.push_back(std::move(found->view));
+    state.records.push_back(std::move(found->record));
+  }
+  for (const OutlinedView& o : outline.leftOut)
+    if (auto found = viewOf(o, triangulation)) state.leftOut.push_back(std::move(*found));
+  for (const OutlinedView& o : outline.rejected)
+    if (auto found = viewOf(o, triangulation))
+      state.rejected.push_back({o.scan, found->view.image, o.record->registration});
+}
+
 AcquisitionState SessionStates::state(const History& history, const HistoryEntry& entry) {
   const StateOutline& outline = *entry.outline;
   AcquisitionState state;
   state.profile = profile_;
   state.settings = outline.settings;
   state.termination = outline.termination;
-  const int positions = profile_ ? static_cast<int>(profile_->workspace.size()) : 0;
-  state.chosenPosition = outline.chosenPosition < positions ? outline.chosenPosition : -1;
-  if (positions > 0) state.settings.firstView = std::min(state.settings.firstView, positions - 1);
-  const TriangulationOptions triangulation = stepOptionsFor(state).triangulation;
+  state.chosenPosition = outline.chosenPosition;
+  if (profile_)
+    state.settings.firstView = std::min(state.settings.firstView, static_cast<int>(profile_->workspace.size()) - 1);
+  addViews(state, outline);
+  if (state.views.empty()) return state;
 
-  // The view with its record, or nothing when the scan is lost.
-  const auto view = [&](const OutlinedView& o) -> std::optional<LeftOutView> {
-    try {
-      LeftOutView found;
-      found.view.image = scan(o.scan);
-      std::shared_ptr<const ViewMesh> mesh = meshes_[o.scan].lock();
-      if (!mesh)
-        meshes_[o.scan] = mesh = std::make_shared<const ViewMesh>(triangulate(*found.view.image, triangulation));
-      found.view.mesh = std::move(mesh);
-      found.view.T_object_scanner = o.T_object_scanner;
-      found.record = *o.record;
-      found.record.plan = plan(o.planStep);
-      return found;
-    } catch (const InvalidInput& e) {
-      lose(e.what());
-      return std::nullopt;
-    }
-  };
-  for (const OutlinedView& o : outline.views) {
-    auto found = view(o);
-    if (!found) continue;
-    state.views.push_back(std::move(found->view));
-    state.records.push_back(std::move(found->record));
-  }
-  for (const OutlinedView& o : outline.leftOut)
-    if (auto found = view(o)) state.leftOut.push_back(std::move(*found));
-  for (const OutlinedView& o : outline.rejected)
-    if (auto found = view(o)) state.rejected.push_back({o.scan, found->view.image, o.record->registration});
-
-  if (!state.views.empty()) {
-    const bool whole = state.views.size() == outline.views.size();
-    state.model = whole ? modelOf(state, history, entry) : integrateViews(state.views, stepOptionsFor(state), {});
-    std::shared_ptr<const Plan>& last = state.records.back().plan;
-    if (last && (!whole || !vantage::fits(*last, *state.model))) last = nullptr;
-  }
+  const bool whole = state.views.size() == outline.views.size();
+  state.model = whole ? modelOf(state, history, entry) : integrateViews(state.views, stepOptionsFor(state), {});
+  std::shared_ptr<const Plan>& last = state.records.back().plan;
+  if (last && (!whole || !vantage::fits(*last, *state.model, state.views.size()))) last = nullptr;
   return state;
 }
 
 std::shared_ptr<const Model> SessionStates::modelOf(const AcquisitionState& state, const History& history,
                                                     const HistoryEntry& entry) {
   const std::int64_t step = entry.outline->modelStep;
-  if (const auto kept = model(step)) {
+  if (const auto kept = model(step, state.views.size())) {
     if (vantage::fits(*kept, state.views)) return kept;
-    lose(store_.path() + ": model " + std::to_string(step) + " is of other views; it is made again");
+    lose(store_.path() + ": model " + std::to_string(step) + " is of other samples; it is made again");
   }
   auto made = replayedModel(state, history, step);
   models_[step] = made;

@@ -3,7 +3,9 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "acquisition/history.h"
@@ -18,17 +20,23 @@ class SessionStates {
   /// Both must outlive it.
   SessionStates(SessionStore& store, std::vector<std::string>& losses) : store_(store), losses_(losses) {}
 
-  /// @throws InvalidInput when the profile cannot be read
-  void setProfile(const std::optional<ProfileSource>& source);
+  /// Null without a source. @throws InvalidInput when it is no profile
+  [[nodiscard]] static std::shared_ptr<const ScannerProfile> parsed(const std::optional<ProfileSource>& source);
+
+  /// Of the session: to be set before anything is asked for.
+  void setProfile(std::shared_ptr<const ScannerProfile> profile) { profile_ = std::move(profile); }
   [[nodiscard]] const std::shared_ptr<const ScannerProfile>& profile() const { return profile_; }
+
+  /// Takes steps out of a history that name positions which the profile does not have.
+  void dropImpossible(StoredHistory& history);
 
   /// The state after an entry of the history. A model that is not there is made again from the steps before it.
   [[nodiscard]] AcquisitionState state(const History& history, const HistoryEntry& entry);
 
   /// @throws InvalidInput when there is none or it is damaged
   [[nodiscard]] std::shared_ptr<const RangeImage> scan(std::int64_t number);
-  /// Null when it is not there or damaged.
-  [[nodiscard]] std::shared_ptr<const Model> model(std::int64_t step);
+  /// Null when it is not there, damaged or of more views.
+  [[nodiscard]] std::shared_ptr<const Model> model(std::int64_t step, std::size_t views);
   [[nodiscard]] std::shared_ptr<const Plan> plan(std::int64_t step);
 
   /// Writes a scan. @return its number
@@ -42,6 +50,12 @@ class SessionStates {
  private:
   [[nodiscard]] std::shared_ptr<const RayGrid> raysOf(std::int64_t id);
   [[nodiscard]] bool fits(const Plan& plan) const;
+  [[nodiscard]] std::shared_ptr<const ViewMesh> meshOf(std::int64_t scan, const RangeImage& image,
+                                                       const TriangulationOptions& triangulation);
+  /// The view with its record; nothing when the scan is lost.
+  [[nodiscard]] std::optional<LeftOutView> viewOf(const OutlinedView& outlined,
+                                                  const TriangulationOptions& triangulation);
+  void addViews(AcquisitionState& state, const StateOutline& outline);
   [[nodiscard]] OutlinedView outlined(const ViewRecord& record, const Pose& pose, const StateOutline& before,
                                       std::int64_t step);
   [[nodiscard]] std::shared_ptr<const Model> modelOf(const AcquisitionState& state, const History& history,

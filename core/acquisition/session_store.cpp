@@ -16,6 +16,7 @@ namespace {
 constexpr const char* kProfileName = "profile.json";
 // An object that is larger than this when packed is only known by its file and its hash.
 constexpr std::size_t kMaxObjectBytes = 256U << 20;
+constexpr std::int64_t kMostScans = 100'000;
 // Models of old steps are thinned out beyond this: they can be made again.
 constexpr std::int64_t kModelBytes = 512LL << 20;
 
@@ -73,9 +74,20 @@ void SessionStore::setObject(const Mesh& mesh) {
 }
 
 std::int64_t SessionStore::scanCount() {
-  Statement row = database_.prepare("SELECT ifnull(max(id) + 1, 0) FROM scan");
+  Statement row = database_.prepare("SELECT ifnull(max(id), -1) FROM scan");
   row.step();
-  return row.integer(0);
+  const std::int64_t last = row.integer(0);
+  if (last > kMostScans)
+    throw InvalidInput(path() + ": scan " + std::to_string(last) + " is damaged: there are never more than " +
+                       std::to_string(kMostScans));
+  return last + 1;
+}
+
+std::vector<std::int64_t> SessionStore::scanNumbers() {
+  std::vector<std::int64_t> numbers;
+  Statement rows = database_.prepare("SELECT id FROM scan ORDER BY id");
+  while (rows.step()) numbers.push_back(rows.integer(0));
+  return numbers;
 }
 
 bool SessionStore::scanUsed(std::int64_t number) {

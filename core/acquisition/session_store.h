@@ -28,6 +28,8 @@ class SessionStore {
   explicit SessionStore(Database database) : database_(std::move(database)) {}
 
   [[nodiscard]] Database& database() { return database_; }
+  /// The store is not to be used any more.
+  [[nodiscard]] Database takeDatabase() { return std::move(database_); }
   [[nodiscard]] const std::string& path() const { return database_.path(); }
 
   [[nodiscard]] std::string meta(const std::string& key);
@@ -48,6 +50,7 @@ class SessionStore {
 
   /// One more than the highest number of a scan.
   [[nodiscard]] std::int64_t scanCount();
+  [[nodiscard]] std::vector<std::int64_t> scanNumbers();
   [[nodiscard]] bool scanUsed(std::int64_t number);
   /// A scan and the number of its ray grid; 0 for the profile's, which stays unset.
   [[nodiscard]] std::pair<RangeImage, std::int64_t> scan(std::int64_t number);

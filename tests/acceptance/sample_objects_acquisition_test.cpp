@@ -28,7 +28,7 @@ Acquired acquireSample(const std::string& name) {
   SimulatedScanner scanner(object, profile, {});
   Acquired result;
   result.state.profile = profile;
-  result.state = acquire(result.state, scanner, images, {}, {}, progress);
+  result.state = acquire(result.state, countedScans(scanner), images, {}, progress);
   result.evaluation = evaluate(result.state.model->mesh, object, *profile, {}, progress);
   return result;
 }

@@ -14,8 +14,8 @@ namespace {
 using testing::acquireSmallObject;
 
 // Everything but what depends on the machine.
-nlohmann::ordered_json reportWithoutMachine(const AcquisitionState& state, const AcquisitionSettings& settings) {
-  auto report = makeReport(state, settings, "test");
+nlohmann::ordered_json reportWithoutMachine(const AcquisitionState& state) {
+  auto report = makeReport(state, "test");
   report.erase("peak_memory_mb");
   for (auto& view : report["views"]) view.erase("seconds");
   return report;
@@ -42,7 +42,7 @@ TEST(AutomaticRun, GivesTheSameBytesForAnyNumberOfThreads) {
   settings.maxViews = 3;
   const AcquisitionState one = acquireSmallObject(settings, 1);
   const AcquisitionState three = acquireSmallObject(settings, 3);
-  EXPECT_EQ(reportWithoutMachine(one, settings).dump(), reportWithoutMachine(three, settings).dump());
+  EXPECT_EQ(reportWithoutMachine(one).dump(), reportWithoutMachine(three).dump());
   ASSERT_EQ(one.model->mesh.vertices.size(), three.model->mesh.vertices.size());
   for (std::size_t v = 0; v < one.model->mesh.vertices.size(); ++v)
     ASSERT_EQ(one.model->mesh.vertices[v], three.model->mesh.vertices[v]) << "vertex " << v;
@@ -76,7 +76,6 @@ TEST(AutomaticRun, UniformTakesEquallySpacedPositions) {
 }
 
 TEST(AutomaticRun, ObserverHearsOfEveryStepAndCancellingLeavesTheLastOneWhole) {
-  AcquisitionSettings settings;
   std::stop_source stop;
   AcquisitionState last;
   const auto profile = testing::smallProfile();
@@ -84,12 +83,12 @@ TEST(AutomaticRun, ObserverHearsOfEveryStepAndCancellingLeavesTheLastOneWhole) {
   SimulatedScanner scanner(testing::smallObject(), profile, {});
   AcquisitionState state;
   state.profile = profile;
-  const StepObserver observer = [&](const AcquisitionState& s) {
+  const StepObserver observer = [&](const Command& /*command*/, const AcquisitionState& s) {
     last = s;
     if (s.views.size() == 2) stop.request_stop();
   };
   EXPECT_THROW(
-      static_cast<void>(acquire(state, scanner, images, settings, observer, Progress({}, stop.get_token(), 2))),
+      static_cast<void>(acquire(state, countedScans(scanner), images, observer, Progress({}, stop.get_token(), 2))),
       Cancelled);
   EXPECT_EQ(last.views.size(), 2U);
   EXPECT_EQ(last.records.size(), 2U);

@@ -34,7 +34,25 @@ AcquisitionState acquireSmallObject(const AcquisitionSettings& settings, int thr
   SimulatedScanner scanner(smallObject(), profile, {settings.seed, settings.ideal});
   AcquisitionState state;
   state.profile = profile;
-  return acquire(state, scanner, images, settings, observer, Progress().withThreads(threads));
+  state.settings = settings;
+  return acquire(state, countedScans(scanner), images, observer, Progress().withThreads(threads));
+}
+
+Session createSmallSession(const std::string& path, const AcquisitionSettings& settings) {
+  const Mesh object = smallObject();
+  return Session::create(path, {smallProfileSource(), settings, &object});
+}
+
+StepObserver recordIn(Session& session) {
+  return [&session](const Command& command, const AcquisitionState& state) { session.record(command, state); };
+}
+
+AcquisitionState runSmallSession(Session& session, const StepObserver& observer, const Progress& progress) {
+  const AcquisitionSettings settings = session.state()->settings;
+  SimulatedScanner scanner(session.object(), session.profile(), {settings.seed, settings.ideal},
+                           static_cast<int>(session.scanCount()));
+  const ScannerImages images = computeScannerImages(*session.profile());
+  return acquire(*session.state(), keptScans(scanner, session), images, observer, progress);
 }
 
 }  // namespace vantage::testing

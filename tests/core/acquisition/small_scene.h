@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "acquisition/automatic_run.h"
+#include "acquisition/session.h"
 #include "scanner/simulated_scanner.h"
 
 namespace vantage::testing {
@@ -17,5 +18,14 @@ namespace vantage::testing {
 /// An automatic acquisition of the small object.
 [[nodiscard]] AcquisitionState acquireSmallObject(const AcquisitionSettings& settings, int threads,
                                                   const StepObserver& observer = {});
+
+/// A new session before the small object.
+[[nodiscard]] Session createSmallSession(const std::string& path, const AcquisitionSettings& settings);
+
+/// Goes on with a session before the simulated scanner until it ends.
+AcquisitionState runSmallSession(Session& session, const StepObserver& observer, const Progress& progress = {});
+
+/// Records every step in the session.
+[[nodiscard]] StepObserver recordIn(Session& session);
 
 }  // namespace vantage::testing
