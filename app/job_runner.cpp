@@ -133,8 +133,8 @@ void ThreadedJobRunner::finish(Id job) {
   over->job.finalize(over->failure);
 }
 
-void SynchronousJobRunner::cancel(Id /*job*/) {
-  stop_.request_stop();
+void SynchronousJobRunner::cancel(Id job) {
+  if (running_ > 0 && job == current_) stop_.request_stop();
 }
 
 void SynchronousJobRunner::cancelAll() {
@@ -144,6 +144,7 @@ void SynchronousJobRunner::cancelAll() {
 JobRunner::Id SynchronousJobRunner::start(Job job) {
   const Id id = next_++;
   const std::stop_source outer = std::exchange(stop_, std::stop_source());
+  const Id outerJob = std::exchange(current_, id);
   ++running_;
   emit started(id, job.title);
   std::exception_ptr failure;
@@ -157,6 +158,7 @@ JobRunner::Id SynchronousJobRunner::start(Job job) {
     failure = std::current_exception();
   }
   stop_ = outer;
+  current_ = outerJob;
   --running_;
   emit finished(id);
   job.finalize(failure);

@@ -105,7 +105,7 @@ class SynchronousJobRunner final : public JobRunner {
  public:
   using JobRunner::JobRunner;
 
-  /// Works for the running job only; may be called by its progress.
+  /// Works for the running job only, so it is its progress that calls.
   void cancel(Id job) override;
   void cancelAll() override;
   void abandonAll() override {}
@@ -117,6 +117,7 @@ class SynchronousJobRunner final : public JobRunner {
  private:
   int next_ = 1;
   int running_ = 0;
+  Id current_ = 0;  // the job that runs, or the innermost of them
   std::stop_source stop_;
 };
 

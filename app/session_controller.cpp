@@ -75,7 +75,7 @@ void SessionController::setChoice(const SetUpChoice& choice) {
 }
 
 void SessionController::prepare() {
-  if (setUp_) return;
+  if (setUp_ || choice_.scanner.empty()) return;
   start<SharedSetUp>(
       Activity::Preparing, tr("Preparing the set-up"),
       [choice = choice_, cache = cacheFolder_](const Progress& p) { return prepareSetUp(choice, cache, p); },

@@ -1,8 +1,10 @@
 #include "session_views.h"
 
 #include <QEvent>
+#include <algorithm>
 
 #include "acquisition/steps.h"
+#include "planning/choice.h"
 
 namespace vantage {
 namespace {
@@ -21,6 +23,16 @@ PlanPictures computePictures(const ViewSnapshot& snapshot, const Progress& progr
       computePlanImages(input, *snapshot.plan->voids, stepOptionsFor(state).planner, progress.part(0.0, 0.9)));
   pictures.links = std::make_shared<const PositionalLinks>(*snapshot.scannerImages, *pictures.images);
   return pictures;
+}
+
+// The proposed position; when nothing is proposed, the one that comes nearest to it. -1 without a plan.
+int positionToExplain(const ViewSnapshot& snapshot) {
+  if (snapshot.proposed() >= 0 || !snapshot.plan) return snapshot.proposed();
+  const std::vector<PositionScore>& scores = snapshot.plan->scores;
+  const auto best = std::max_element(scores.begin(), scores.end(), [](const PositionScore& a, const PositionScore& b) {
+    return promise(a) < promise(b);
+  });
+  return best == scores.end() ? -1 : best->position;
 }
 
 }  // namespace
@@ -79,10 +91,8 @@ void SessionViews::refresh() {
           ? QString()
           : tr("This is the session as it was after %1 views. Back to now").arg(state ? state->views.size() : 0));
   requestImages();
-  if (snapshot_->proposed() >= 0)
-    examine(snapshot_->proposed());
-  else
-    inspector_.forget();
+  examine(positionToExplain(*snapshot_));
+  if (snapshot_->proposed() < 0) model_->view().examine(std::nullopt);
 }
 
 void SessionViews::showSnapshot(const SharedSnapshot& snapshot) {
@@ -132,8 +142,9 @@ void SessionViews::examine(int position) {
   inspector_.inspect(snapshot_ ? snapshot_->state : nullptr, position);
   objective_->examine(position);
   space_->setPosition(position);
-  model_->view().examine(position == (snapshot_ ? snapshot_->proposed() : -1) ? std::nullopt : std::optional(position));
-  emit positionExamined(position);
+  const bool asked = position >= 0 && snapshot_ && position != snapshot_->proposed();
+  model_->view().examine(asked ? std::optional(position) : std::nullopt);
+  if (position >= 0) emit positionExamined(position);
 }
 
 void SessionViews::setTheme(const Theme& theme) {

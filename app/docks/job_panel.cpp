@@ -25,10 +25,12 @@ QString stepText(const QString& step) {
 JobPanel::JobPanel(JobRunner& jobs, QWidget* parent)
     : QWidget(parent), jobs_(jobs), text_(new QLabel), bar_(new QProgressBar), cancel_(new QToolButton) {
   auto* row = new QHBoxLayout(this);
-  row->setContentsMargins(6, 2, 6, 2);
+  row->setContentsMargins(6, 0, 6, 0);
   row->addWidget(text_, 1);
   row->addWidget(bar_);
   row->addWidget(cancel_);
+  // As high when it is idle, so that nothing jumps.
+  setFixedHeight(cancel_->sizeHint().height() + 6);
   bar_->setRange(0, 1000);
   bar_->setFixedWidth(220);
   bar_->setTextVisible(false);

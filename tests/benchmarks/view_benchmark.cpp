@@ -7,6 +7,7 @@
 #include <vtkRenderer.h>
 
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <fstream>
 #include <string>
@@ -14,6 +15,7 @@
 #include "osmesa/osmesa_window.h"
 #include "scenes/model_scene.h"
 #include "support/meshes.h"
+#include "vtk/navigation.h"
 
 namespace vantage {
 namespace {

@@ -6,7 +6,8 @@
 
 namespace vantage::testing {
 
-/// The sample mug as a coarse scanner with 3 mm between samples acquires it: snapshots after every view, made once per program.
+/// The sample mug as a coarse scanner with 3 mm between samples acquires it: snapshots after every view, made once per
+/// program.
 [[nodiscard]] const std::vector<SharedSnapshot>& mugSnapshots();
 
 /// After three views, with a next view proposed; and at the end, when nothing is left to see.

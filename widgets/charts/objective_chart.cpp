@@ -100,7 +100,7 @@ struct Dial {
   explicit Dial(const QRectF& area) {
     const QRectF room = area.adjusted(0.0, kTitle + 18.0, 0.0, -kLegendHeight);
     centre = room.center();
-    outer = std::max(20.0, 0.5 * std::min(room.width(), room.height()) - 22.0);
+    outer = std::max(20.0, std::min(0.5 * room.width() - 40.0, 0.5 * room.height() - 22.0));
     ring = 0.58 * outer;
     inner = 0.16 * outer;
   }

@@ -46,7 +46,9 @@ TEST(PlanImages, IntersectedWithTheScannerTheyAreTheObjective) {
     EXPECT_DOUBLE_EQ(seen[i], score.overlapArea) << "position " << i;
     const bool taken = i == 0 || i == 5;
     // Every sighting is rounded to a unit of 2^-20 mm^2; there are fewer than a million of them.
-    if (!taken) EXPECT_NEAR(voids[i], score.voidArea, 0.5) << "position " << i;
+    if (!taken) {
+      EXPECT_NEAR(voids[i], score.voidArea, 0.5) << "position " << i;
+    }
     most = std::max(most, score.voidArea);
   }
   EXPECT_GT(most, 100.0);
