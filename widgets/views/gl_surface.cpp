@@ -48,6 +48,8 @@ class GlWidget final : public QOpenGLWidget {
   }
 
   ~GlWidget() override {
+    // The base class destroys the context, when there is nothing left here to be released.
+    if (context() != nullptr) disconnect(context(), nullptr, this, nullptr);
     release();
     window_->RemoveRenderer(&scene_.renderer());
   }
