@@ -87,8 +87,7 @@ void MainWindow::addDocks() {
                             Qt::RightDockWidgetArea, tr("Ctrl+2"));
   auto* space = addDock(tr("Positional space"), QStringLiteral("spaceDock"), &views_->space(), Qt::RightDockWidgetArea,
                         tr("Ctrl+3"));
-  auto* map =
-      addDock(tr("Map"), QStringLiteral("mapDock"), &views_->map(), Qt::RightDockWidgetArea, tr("Ctrl+4"));
+  auto* map = addDock(tr("Map"), QStringLiteral("mapDock"), &views_->map(), Qt::RightDockWidgetArea, tr("Ctrl+4"));
   auto* why = addDock(tr("Why this view"), QStringLiteral("whyDock"), why_, Qt::RightDockWidgetArea, tr("Ctrl+5"));
   splitDockWidget(objective, why, Qt::Vertical);
   tabifyDockWidget(objective, space);

@@ -1,5 +1,3 @@
-#include <QGuiApplication>
-#include <array>
 #include <memory>
 #include <optional>
 
@@ -8,6 +6,7 @@
 #include "cli/cache_directory.h"
 #include "cli/command.h"
 #include "cli/open_session.h"
+#include "cli/picture_application.h"
 #include "osmesa/osmesa_window.h"
 #include "planning/plan_images.h"
 #include "positional_space/scanner_images_cache.h"
@@ -130,12 +129,7 @@ void run(const RenderArguments& args, CommandContext& context) {
   const Theme& theme = args.dark ? darkTheme() : lightTheme();
   const Session session = openSession(args.session, SessionAccess::Read, context);
   const SharedSnapshot snapshot = snapshotFor(args, session, context);
-  // Text needs an application of Qt; this one wants no display.
-  qputenv("QT_QPA_PLATFORM", "offscreen");
-  int count = 1;
-  std::array<char, 12> name{"vantage-cli"};
-  char* arguments = name.data();
-  const QGuiApplication application(count, &arguments);
+  const PictureApplication application;
   QImage picture;
   if (args.view == "objective")
     picture = objectivePicture(snapshot, size, theme);

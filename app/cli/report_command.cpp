@@ -1,10 +1,9 @@
-#include <QGuiApplication>
-#include <array>
 #include <memory>
 
 #include "acquisition/html_report.h"
 #include "cli/command.h"
 #include "cli/open_session.h"
+#include "cli/picture_application.h"
 #include "cli/text.h"
 #include "osmesa/osmesa_window.h"
 #include "report_pictures.h"
@@ -44,12 +43,7 @@ void run(const ReportArguments& args, CommandContext& context) {
   const auto state = readSession(args.session, context);
   HtmlReportOptions options;
   options.version = VANTAGE_VERSION;
-  // Text in pictures needs an application, and that needs no display.
-  qputenv("QT_QPA_PLATFORM", "offscreen");
-  int count = 1;
-  std::array<char, 12> name{"vantage-cli"};
-  char* arguments = name.data();
-  const QGuiApplication application(count, &arguments);
+  const PictureApplication application;
   options.pictures = modelPictures(state);
   options.viewPictures = scanPictures(*state);
   writeTextFile(args.out, makeHtmlReport(*state, options));

@@ -21,7 +21,7 @@ namespace vantage {
 namespace {
 
 constexpr int kViews = 3;
-constexpr int kPatience = 200000;    // [ms] for a whole acquisition on a busy machine
+constexpr int kPatience = 200000;  // [ms] for a whole acquisition on a busy machine
 // [ms] that the window may not answer. Two processors that compute, draw in software and serve the display need up to a
 // quarter of a second for a frame of all views; a step computed by the window itself would take longer than this.
 constexpr int kLongestBlock = 500;
