@@ -1,38 +1,71 @@
 #include "layers/model_geometry.h"
 
+#include <vtkCellArray.h>
+#include <vtkCellArrayIterator.h>
 #include <vtkPolyData.h>
+#include <vtkQuadricClustering.h>
 
-#include <cstring>
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <unordered_map>
+#include <utility>
 
-#include "geometry/decimation.h"
 #include "geometry/mesh_topology.h"
 
 namespace vantage {
 namespace {
 
-struct PointHash {
-  std::size_t operator()(const std::array<double, 3>& p) const {
+using Place = std::array<float, 3>;
+
+struct PlaceHash {
+  std::size_t operator()(const Place& p) const {
     std::size_t hash = 0;
-    for (const double c : p) hash = hash * 0x9E3779B97F4A7C15ULL + std::hash<double>()(c);
+    for (const float c : p) hash = hash * 0x9E3779B97F4A7C15ULL + std::hash<float>()(c);
     return hash;
   }
 };
 
-std::array<double, 3> key(const Vec3& p) {
-  return {p.x(), p.y(), p.z()};
+Place placeOf(const Vec3& p) {
+  return {static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z())};
 }
 
-// Decimation keeps some of the vertices as they are: by their place they are found again.
-std::vector<std::uint32_t> originsOf(const Mesh& coarse, const Mesh& fine) {
-  std::unordered_map<std::array<double, 3>, std::uint32_t, PointHash> places;
+// A clustered mesh: in every cube of a grid that the surface passes through, one of its vertices stands for all.
+vtkSmartPointer<vtkPolyData> clustered(vtkPolyData& surface, const BoundingBox& box, double cell) {
+  const auto clustering = vtkSmartPointer<vtkQuadricClustering>::New();
+  const auto cells = [&](int axis) { return std::max(2, static_cast<int>(std::ceil(box.size()[axis] / cell))); };
+  clustering->SetInputData(&surface);
+  clustering->SetNumberOfDivisions(cells(0), cells(1), cells(2));
+  clustering->AutoAdjustNumberOfDivisionsOff();
+  clustering->UseInputPointsOn();
+  clustering->Update();
+  return clustering->GetOutput();
+}
+
+// The clustered mesh as one of ours, with the model's vertex that each of its vertices is, found by its place.
+std::pair<Mesh, std::vector<std::uint32_t>> withOrigins(vtkPolyData& coarse, const Mesh& fine) {
+  std::unordered_map<Place, std::uint32_t, PlaceHash> places;
   places.reserve(fine.vertices.size());
   for (std::size_t v = 0; v < fine.vertices.size(); ++v)
-    places.emplace(key(fine.vertices[v]), static_cast<std::uint32_t>(v));
-  std::vector<std::uint32_t> origins;
-  origins.reserve(coarse.vertices.size());
-  for (const Vec3& p : coarse.vertices) origins.push_back(places.at(key(p)));
-  return origins;
+    places.emplace(placeOf(fine.vertices[v]), static_cast<std::uint32_t>(v));
+  std::pair<Mesh, std::vector<std::uint32_t>> result;
+  for (vtkIdType i = 0; i < coarse.GetNumberOfPoints(); ++i) {
+    std::array<double, 3> p{};
+    coarse.GetPoint(i, p.data());
+    const std::uint32_t origin = places.at(placeOf(Vec3(p[0], p[1], p[2])));
+    result.first.vertices.push_back(fine.vertices[origin]);
+    result.second.push_back(origin);
+  }
+  vtkIdType count = 0;
+  const vtkIdType* corners = nullptr;
+  const auto cells = vtkSmartPointer<vtkCellArrayIterator>::Take(coarse.GetPolys()->NewIterator());
+  for (cells->GoToFirstCell(); !cells->IsDoneWithTraversal(); cells->GoToNextCell()) {
+    cells->GetCurrentCell(count, corners);
+    if (count == 3)
+      result.first.triangles.push_back({static_cast<std::uint32_t>(corners[0]), static_cast<std::uint32_t>(corners[1]),
+                                        static_cast<std::uint32_t>(corners[2])});
+  }
+  return result;
 }
 
 vtkSmartPointer<vtkPolyData> boundaryLines(const Mesh& mesh) {
@@ -112,15 +145,16 @@ bool needsStandIn(const Model& model, const StandInOptions& options) {
 std::shared_ptr<const ModelGeometry> withStandIn(const std::shared_ptr<const ModelGeometry>& geometry,
                                                  const StandInOptions& options, const Progress& progress) {
   if (!needsStandIn(*geometry->model, options)) return geometry;
+  progress.checkpoint(0.0);
+  // A surface of area A passes through about 1.5 A / h^2 cubes of edge h and leaves two triangles in each.
   const Mesh& mesh = geometry->model->mesh;
-  DecimationOptions decimation;
-  decimation.targetTriangles = options.targetTriangles;
-  decimation.maxError = options.maxError;
-  decimation.keepBoundary = false;
-  const Mesh coarse = decimate(mesh, decimation, progress.part(0.0, 0.9));
+  const double cell = std::sqrt(3.0 * area(mesh) / static_cast<double>(options.targetTriangles));
+  const auto coarse = clustered(*geometry->surface, geometry->box, cell);
+  progress.checkpoint(0.5);
+  auto [standIn, origins] = withOrigins(*coarse, mesh);
   auto result = std::make_shared<ModelGeometry>(*geometry);
-  result->coarse = toPolyData(coarse, true);
-  result->coarseVertex = originsOf(coarse, mesh);
+  result->coarse = toPolyData(standIn, true);
+  result->coarseVertex = std::move(origins);
   progress.checkpoint(1.0);
   return result;
 }

@@ -34,17 +34,17 @@ struct ModelGeometry {
 [[nodiscard]] std::shared_ptr<const ModelGeometry> prepareModelGeometry(std::shared_ptr<const Model> model,
                                                                         const Progress& progress = {});
 
-/// Large models are drawn decimated while the camera moves.
+/// Large models are drawn coarsely while the camera moves.
 struct StandInOptions {
-  std::size_t mostTriangles = 120000;  ///< models up to this size stay as they are
-  std::size_t targetTriangles = 60000;
-  double maxError = 2.0;  ///< [mm]
+  std::size_t mostTriangles = 120000;   ///< models up to this size stay as they are
+  std::size_t targetTriangles = 60000;  ///< about
 };
 
 /// Whether a model is so large that it gets a stand-in.
 [[nodiscard]] bool needsStandIn(const Model& model, const StandInOptions& options = {});
 
-/// The same with a coarse stand-in where the model is large; some seconds for a million triangles. @throws Cancelled
+/// The same with a coarse stand-in where the model is large, its vertices clustered: about a second for a million
+/// triangles. @throws Cancelled
 [[nodiscard]] std::shared_ptr<const ModelGeometry> withStandIn(const std::shared_ptr<const ModelGeometry>& geometry,
                                                                const StandInOptions& options = {},
                                                                const Progress& progress = {});
