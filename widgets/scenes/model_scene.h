@@ -28,7 +28,10 @@ class ModelScene {
   void setOptions(const ModelViewOptions& options);
   [[nodiscard]] const ModelViewOptions& options() const { return options_; }
   void setTheme(const Theme& theme);
-  void setMoving(bool moving) { model_.setMoving(moving); }
+  void setMoving(bool moving) {
+    model_.setMoving(moving);
+    scene_.setMoving(moving);
+  }
   void examine(std::optional<int> position);
   void highlight(const std::vector<std::uint32_t>& patches);
 

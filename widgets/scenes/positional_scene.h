@@ -24,7 +24,10 @@ class PositionalScene {
   void setOptions(const PositionalViewOptions& options);
   [[nodiscard]] const PositionalViewOptions& options() const { return options_; }
   void setTheme(const Theme& theme);
-  void setMoving(bool moving) { model_.setMoving(moving); }
+  void setMoving(bool moving) {
+    model_.setMoving(moving);
+    scene_.setMoving(moving);
+  }
   void highlightCells(const std::vector<std::uint32_t>& cells);
   /// The cell that is described in the overlay; unset for none.
   void pointAt(std::optional<PositionalLayer::Pick> cell);

@@ -57,6 +57,10 @@ void Scene::addLines(vtkActor& actor, double width) {
   add(actor);
 }
 
+void Scene::setMoving(bool moving) {
+  renderer_->SetUseFXAA(!moving);
+}
+
 void Scene::setTheme(const Theme& theme) {
   renderer_->SetBackground(components(theme.backgroundBottom).data());
   renderer_->SetBackground2(components(theme.backgroundTop).data());

@@ -29,6 +29,9 @@ class Scene {
   /// Adds an actor of lines, `width` device-independent pixels wide.
   void addLines(vtkActor& actor, double width);
 
+  /// While the camera moves pictures are drawn without smoothed edges: in software those take
+  /// as long as the rest.
+  void setMoving(bool moving);
   void setTheme(const Theme& theme);
   [[nodiscard]] const Camera& camera() const { return camera_; }
   void setCamera(const Camera& camera);
