@@ -7,14 +7,14 @@
 
 #include "base/errors.h"
 #include "base/parallel.h"
-#include "geometry/decimation.h"
 #include "geometry/measures.h"
-#include "geometry/mesh_topology.h"
 #include "planning/candidate_tracing.h"
 #include "planning/certificate.h"
 #include "planning/choice.h"
 #include "planning/objective.h"
 #include "planning/plan_images.h"
+#include "planning/planning_surface.h"
+#include "planning/view_thresholds.h"
 #include "planning/void_extent.h"
 #include "registration/motion_information.h"
 #include "void_space/void_patch_builder.h"
@@ -28,8 +28,6 @@ constexpr std::size_t kOverlapElements = 2000;
 constexpr double kPairsPerObservation = 20.0;
 // Views see patches up to this angle, if only too steeply to sample them [rad].
 constexpr double kGrazingAngle = radians(85.0);
-// Rings of triangles along the border that give no pairs.
-constexpr int kBorderRings = 2;
 
 double meanSpacing(std::span<const View> views) {
   double sum = 0.0;
@@ -37,47 +35,15 @@ double meanSpacing(std::span<const View> views) {
   return sum / static_cast<double>(views.size());
 }
 
-// The mesh that stands for the model in tracing: the model itself until it is so large that decimating it pays.
-Mesh planningMesh(const Model& model, const PlannerOptions& options, const Progress& progress) {
-  if (model.mesh.triangles.size() <= options.tracedTriangles) return model.mesh;
-  DecimationOptions decimation;
-  decimation.targetTriangles = options.tracedTriangles / 2;
-  decimation.maxError = options.planningError;
-  return decimate(model.mesh, decimation, progress);
-}
-
-// The mesh without the triangles along its border: registration leaves them out, so they do not count as overlap.
-Mesh withoutBorder(const Mesh& mesh) {
-  std::vector<std::uint8_t> nearBorder = MeshTopology(mesh).onBoundary();
-  for (int ring = 0; ring < kBorderRings; ++ring) {
-    std::vector<std::uint8_t> grown = nearBorder;
-    for (const Triangle& t : mesh.triangles)
-      if (nearBorder[t[0]] || nearBorder[t[1]] || nearBorder[t[2]]) grown[t[0]] = grown[t[1]] = grown[t[2]] = 1;
-    nearBorder = std::move(grown);
-  }
-  Mesh inner = mesh;
-  std::erase_if(inner.triangles,
-                [&](const Triangle& t) { return nearBorder[t[0]] || nearBorder[t[1]] || nearBorder[t[2]]; });
-  return inner;
-}
-
-// An even choice of about `count` of the mesh's triangles, each standing for those it leaves out.
-std::vector<SurfaceElement> surfaceElements(const Mesh& mesh, std::size_t count) {
-  const std::size_t stride = std::max<std::size_t>(1, mesh.triangles.size() / count);
-  std::vector<SurfaceElement> elements;
-  for (std::size_t i = stride / 2; i < mesh.triangles.size(); i += stride) {
-    const Triangle& t = mesh.triangles[i];
-    elements.push_back(
-        {triangleCentre(mesh, t), triangleNormal(mesh, t), static_cast<double>(stride) * triangleArea(mesh, t)});
-  }
-  return elements;
-}
-
 // What a plan is made with, put together once.
 class Planning {
  public:
   Planning(const PlanInput& input, const PlannerOptions& options)
-      : input_(input), options_(options), spacing_(meanSpacing(input.views)) {
+      : input_(input),
+        options_(options),
+        spacing_(meanSpacing(input.views)),
+        modelArea_(area(input.model.mesh)),
+        thresholds_(viewThresholds(options.termination, spacing_, modelArea_)) {
     objective_.breakdownAngle = input.profile.breakdownAngle;
     objective_.tolerance = options.tolerance;
     objective_.lookAhead = options.lookAhead;
@@ -92,7 +58,7 @@ class Planning {
     const Progress voidProgress = progress.part(0.0, 0.25, "void_patches");
     plan.voids = std::make_shared<const VoidSurface>(findVoid(voidProgress.part(0.0, 0.5)));
     const std::vector<VoidPatch>& patches = plan.voids->patches;
-    const Mesh mesh = planningMesh(input_.model, options_, voidProgress.part(0.5, 0.8));
+    const Mesh mesh = obstacleMesh(voidProgress.part(0.5, 0.8));
     const RayCaster obstacles(mesh);
     const SightTest sight(input_.profile, obstacles, sight_);
     const PatchHistory history = historyOf(patches, obstacles, voidProgress.part(0.8, 1.0));
@@ -114,7 +80,7 @@ class Planning {
   }
 
   PlanImages images(const VoidSurface& voids, const Progress& progress) const {
-    const Mesh mesh = planningMesh(input_.model, options_, progress.part(0.0, 0.3));
+    const Mesh mesh = obstacleMesh(progress.part(0.0, 0.3));
     const RayCaster obstacles(mesh);
     const PatchHistory history = historyOf(voids.patches, obstacles, progress.part(0.3, 0.4));
     PlanImages result;
@@ -126,6 +92,10 @@ class Planning {
   }
 
  private:
+  [[nodiscard]] Mesh obstacleMesh(const Progress& progress) const {
+    return tracedMesh(input_.model.mesh, options_.tracedTriangles, options_.planningError, progress);
+  }
+
   [[nodiscard]] PatchHistory historyOf(std::span<const VoidPatch> patches, const RayCaster& obstacles,
                                        const Progress& progress) const {
     SightOptions grazing = sight_;
@@ -146,24 +116,18 @@ class Planning {
     voidOptions.breakdownAngle = input_.profile.breakdownAngle;
     VoidSurface surface = buildVoidPatches(input_.model, input_.views, voidOptions, progress);
     if (!options_.lookAhead) return surface;
-    const auto extents = voidExtents(surface.patches, options_.lookAheadReach * spacing_);
+    const auto extents =
+        voidExtents(surface.patches, {options_.lookAheadReach * spacing_, options_.widestHole * spacing_});
     for (std::size_t p = 0; p < extents.size(); ++p) surface.patches[p].weight *= extents[p];
     return surface;
   }
 
-  // F for so many edges.
-  [[nodiscard]] double thresholdFor(double edges) const {
-    const double share = options_.thresholdShare * edges / options_.thresholdEdges;
-    return options_.terminationThreshold.value_or(
-        std::max(edges * spacing_ * spacing_, share * area(input_.model.mesh)));
-  }
-
   [[nodiscard]] ChoiceOptions rules() const {
     ChoiceOptions rules;
-    const double perView = area(input_.model.mesh) / static_cast<double>(input_.views.size());
+    const double perView = modelArea_ / static_cast<double>(input_.views.size());
     rules.leastOverlap = options_.leastOverlap.value_or(
         std::max(options_.overlapShare * perView, options_.overlapSamples * spacing_ * spacing_));
-    rules.terminationThreshold = thresholdFor(options_.leastThresholdEdges);
+    rules.terminationThreshold = thresholds_.least;
     rules.maxPoseSigma = options_.poseSigmaShare * spacing_;
     return rules;
   }
@@ -194,16 +158,14 @@ class Planning {
               const Progress& progress) const {
     ChoiceOptions choiceRules = rules();
     Choice choice = chooseTraced(plan, seen, history, sight, choiceRules, progress.part(0.0, 0.7));
-    const double enough = thresholdFor(options_.thresholdEdges);
     const bool little = choice.outcome != PlanOutcome::Found ||
-                        promise(plan.scores[static_cast<std::size_t>(choice.position)]) <= enough;
+                        promise(plan.scores[static_cast<std::size_t>(choice.position)]) <= thresholds_.usual;
     plan.outlook = certify(plan.voids->patches, history,
                            little ? std::span<const Pose>(input_.profile.workspace.poses) : std::span<const Pose>(),
                            sight, lookAheadAngle(), progress.part(0.7, 1.0));
     plan.voidLeft = promiseLeft(plan.outlook);
-    if (choice.outcome == PlanOutcome::Found && little &&
-        plan.voidLeft <= options_.leftShare * area(input_.model.mesh)) {
-      choiceRules.terminationThreshold = enough;
+    if (choice.outcome == PlanOutcome::Found && little && plan.voidLeft <= thresholds_.left) {
+      choiceRules.terminationThreshold = thresholds_.usual;
       choice = choose(plan.scores, input_.profile.workspace, input_.current, choiceRules);
     }
     plan.outcome = choice.outcome;
@@ -253,6 +215,8 @@ class Planning {
   const PlanInput& input_;
   const PlannerOptions& options_;
   double spacing_;
+  double modelArea_;
+  ViewThresholds thresholds_;
   ObjectiveOptions objective_;
   SightOptions sight_;
 };

@@ -7,6 +7,7 @@
 #include "integration/model.h"
 #include "planning/patch_outlook.h"
 #include "planning/plan.h"
+#include "planning/view_thresholds.h"
 #include "positional_space/scanner_images.h"
 #include "registration/pose_prior.h"
 #include "scanner/profile.h"
@@ -24,18 +25,12 @@ struct PlannerOptions {
   double overlapSamples = 300.0;
   /// The overlap must fix the pose to within this share of the sample spacing.
   double poseSigmaShare = 0.2;
-  /// F [mm^2]; unset: what so many boundary edges of one sample spacing show that are seen head-on, but no less than a
-  /// share of the model's area. While more is left to see than `leftShare` of the model's area, views that show less,
-  /// down to what `leastThresholdEdges` show (and the same part of the share), are worth taking, too.
-  std::optional<double> terminationThreshold;
-  double thresholdEdges = 18.0;
-  double leastThresholdEdges = 9.0;
-  double thresholdShare = 0.0006;
-  double leftShare = 0.004;
   /// Void patches look ahead to the surface behind them. Off: the objective of the paper.
   bool lookAhead = true;
-  /// So far ahead a void patch stands for unseen surface [sample spacings].
-  double lookAheadReach = 2.0;
+  /// So far ahead an open void patch stands for unseen surface, and patches that face each other across no more than
+  /// this bound one hole [sample spacings].
+  double lookAheadReach = 3.0;
+  double widestHole = 16.0;
   /// Positions that positional space ranks highest are judged with the scanner's own rays, this many at a time.
   int tracedPositions = 16;
   /// Triangles that stand for the model's surface when it is projected into positional space.
@@ -45,6 +40,7 @@ struct PlannerOptions {
   std::size_t tracedTriangles = 300000;
   double planningError = 0.1;
   OutlookOptions outlook;
+  TerminationOptions termination;
 };
 
 /// What a plan is made from. References must outlive the call.

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <map>
+#include <optional>
 
 #include "base/errors.h"
 
@@ -39,30 +40,31 @@ bool facing(const Front& a, const Front& b, double distance) {
 
 }  // namespace
 
-std::vector<double> voidExtents(std::span<const VoidPatch> patches, double reach) {
-  if (!(reach > 0.0))
-    throw InvalidInput("the reach of void patches is " + std::to_string(reach) + " mm, expected more than 0");
-  const double widest = 2.0 * reach;
+std::vector<double> voidExtents(std::span<const VoidPatch> patches, const VoidExtentOptions& options) {
+  if (!(options.reach > 0.0) || !(options.farthest > 0.0))
+    throw InvalidInput("void patches reach " + std::to_string(options.reach) + " mm ahead and " +
+                       std::to_string(options.farthest) + " mm across, expected more than 0");
   std::vector<Front> fronts;
   std::map<Cell, std::vector<std::uint32_t>> cells;
   for (const VoidPatch& patch : patches) {
-    cells[cellOf(frontOf(patch).place, widest)].push_back(static_cast<std::uint32_t>(fronts.size()));
+    cells[cellOf(frontOf(patch).place, options.farthest)].push_back(static_cast<std::uint32_t>(fronts.size()));
     fronts.push_back(frontOf(patch));
   }
   std::vector<double> extents;
   extents.reserve(patches.size());
   for (const Front& front : fronts) {
-    double width = widest;
-    const Cell middle = cellOf(front.place, widest);
+    std::optional<double> width;
+    const Cell middle = cellOf(front.place, options.farthest);
     for (int k = 0; k < 27; ++k) {
       const auto cell = cells.find({middle[0] + k % 3 - 1, middle[1] + k / 3 % 3 - 1, middle[2] + k / 9 - 1});
       if (cell == cells.end()) continue;
       for (const std::uint32_t other : cell->second) {
         const double distance = (fronts[other].place - front.place).norm();
-        if (distance > 0.0 && distance < width && facing(front, fronts[other], distance)) width = distance;
+        if (distance > 0.0 && distance < width.value_or(options.farthest) && facing(front, fronts[other], distance))
+          width = distance;
       }
     }
-    extents.push_back(width / widest);
+    extents.push_back(width ? 0.5 * *width / options.reach : 1.0);
   }
   return extents;
 }

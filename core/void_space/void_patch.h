@@ -21,12 +21,13 @@ struct VoidPatch {
   std::uint32_t to = 0;
   std::uint32_t triangle = 0;  ///< e_T, the model's triangle at the edge
   Vec3 centre = Vec3::Zero();
-  Vec3 normal = Vec3::Zero();     ///< unit, toward the free side
-  std::array<Vec3, 4> corners{};  ///< counter-clockwise seen from the free side; the first two are to and from
-  double width = 0.0;             ///< length of e [mm]
-  double depth = 0.0;             ///< local sample spacing [mm]
-  double weight = 0.0;            ///< [mm^2]
-  double angle = 0.0;             ///< theta_v in the frame of the edge [rad]
+  Vec3 normal = Vec3::Zero();  ///< unit, toward the free side
+  /// Counter-clockwise seen from the free side; the first two are to and from.
+  std::array<Vec3, 4> corners = {Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
+  double width = 0.0;                        ///< length of e [mm]
+  double depth = 0.0;                        ///< local sample spacing [mm]
+  double weight = 0.0;                       ///< [mm^2]
+  double angle = 0.0;                        ///< theta_v in the frame of the edge [rad]
   EdgeClass edgeClass = EdgeClass::Regular;  ///< by the ray that sampled the edge
   bool bridged = false;                      ///< theta_v jumps over a thin wedge that no ray has confirmed to be free
   std::uint32_t view = 0;                    ///< the view whose ray sampled the edge

@@ -12,10 +12,10 @@ Plan planWithLittleToSee(double leftShare) {
   settings.maxViews = 2;
   const AcquisitionState state = testing::acquireSmallObject(settings, 2);
   StepOptions options = stepOptionsFor(state);
-  options.planner.thresholdEdges = 1e6;
-  options.planner.leastThresholdEdges = 1.0;
-  options.planner.thresholdShare = 0.0;
-  options.planner.leftShare = leftShare;
+  options.planner.termination.edges = 1e6;
+  options.planner.termination.leastEdges = 1.0;
+  options.planner.termination.share = 0.0;
+  options.planner.termination.leftShare = leftShare;
   return planAfter(state, computeScannerImages(*state.profile), options, {});
 }
 

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "base/progress.h"
+#include "geometry/mesh.h"
+#include "planning/candidate_tracing.h"
+
+namespace vantage {
+
+/// The mesh that stands for the model in tracing: the model's own until it has so many triangles that decimating it
+/// pays, then one of half as many.
+/// @param maxError of decimation [mm]
+[[nodiscard]] Mesh tracedMesh(const Mesh& mesh, std::size_t mostTriangles, double maxError, const Progress& progress);
+
+/// The mesh without the triangles along its border: registration leaves them out, so they do not count as overlap.
+[[nodiscard]] Mesh withoutBorder(const Mesh& mesh);
+
+/// An even choice of about `count` of the mesh's triangles, each standing for those it leaves out.
+[[nodiscard]] std::vector<SurfaceElement> surfaceElements(const Mesh& mesh, std::size_t count);
+
+}  // namespace vantage
