@@ -286,7 +286,7 @@ TEST(Pictures, ViewsMayBeChangedAndClosedWhileTheyAreDrawn) {
   const auto thread = std::make_shared<RenderThread>();
   for (int round = 0; round < 10; ++round) {
     ModelView view(threadedSurfaces(thread, osmesaWindows()));
-    view.show();
+    view.setVisible(true);
     for (int i = 0; i < 3 * round; ++i) {
       view.setSnapshot(i % 3 == 0 ? mugFinished() : mugUnderWay());
       view.setTheme(i % 2 == 0 ? darkTheme() : lightTheme());
