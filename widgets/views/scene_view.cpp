@@ -39,6 +39,8 @@ class SceneView::OverlayWidget final : public QWidget {
   }
   void writeOn(QImage& picture) const {
     if (picture.isNull()) return;
+    // Paint blends alike on pictures of any surface.
+    picture.convertTo(QImage::Format_RGB32);
     QPainter painter(&picture);
     paintOverlay(painter, QRectF(QPointF(), picture.deviceIndependentSize()), overlay_, *theme_);
   }
