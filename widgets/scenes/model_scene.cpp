@@ -223,7 +223,8 @@ Overlay ModelScene::overlay() const {
 std::optional<ModelScene::Pick> ModelScene::pick(const SightLine& line) const {
   const auto patch = voids_.pick(line);
   std::optional<RayHit> surface;
-  if (geometry_ && geometry_->caster && options_.surface) surface = geometry_->caster->intersect(line.origin, line.direction);
+  if (geometry_ && geometry_->caster && options_.surface)
+    surface = geometry_->caster->intersect(line.origin, line.direction);
   // Patches begin on the surface's border: in a draw they are what is meant.
   constexpr double kDraw = 0.5;
   if (patch && (!surface || patch->distance < surface->distance + kDraw))
