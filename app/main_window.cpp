@@ -23,20 +23,8 @@ namespace {
 
 constexpr int kLayoutVersion = 1;
 
-// The model as the view shows it, from a few sides. The view's camera stays.
-std::vector<ReportPicture> modelPictures(ModelView& view) {
-  const Camera before = view.camera();
-  std::vector<ReportPicture> pictures;
-  for (const auto& [preset, caption] :
-       {std::pair{CameraPreset::Oblique, QT_TRANSLATE_NOOP("MainWindow", "The model")},
-        std::pair{CameraPreset::Front, QT_TRANSLATE_NOOP("MainWindow", "From the front")},
-        std::pair{CameraPreset::Top, QT_TRANSLATE_NOOP("MainWindow", "From above")}}) {
-    view.lookFrom(preset);
-    pictures.push_back(toReportPicture(view.grab().toImage(), MainWindow::tr(caption)));
-  }
-  view.setCamera(before);
-  return pictures;
-}
+// The sides from which a report shows the model.
+const std::vector kReportSides{CameraPreset::Oblique, CameraPreset::Front, CameraPreset::Top};
 
 }  // namespace
 
@@ -229,12 +217,20 @@ void MainWindow::editSettings() {
   dialog->open();
 }
 
+// With the model as the view shows it. Pictures are packed where the report is written: that takes longer than drawing.
 void MainWindow::writeReport(const QString& path) {
-  HtmlReportOptions options;
-  options.version = QCoreApplication::applicationVersion().toStdString();
-  options.pictures = modelPictures(views_->model().view());
-  if (controller_.now()) options.viewPictures = scanPictures(*controller_.now());
-  controller_.writeReport(path, std::move(options));
+  const QStringList captions{tr("The model"), tr("From the front"), tr("From above")};
+  views_->model().view().takePictures(kReportSides, [this, path, captions](const std::vector<QImage>& pictures) {
+    controller_.writeReport(path, [pictures, captions](const AcquisitionState& state) {
+      HtmlReportOptions options;
+      options.version = QCoreApplication::applicationVersion().toStdString();
+      for (std::size_t i = 0; i < pictures.size(); ++i)
+        if (!pictures[i].isNull())
+          options.pictures.push_back(toReportPicture(pictures[i], captions[static_cast<int>(i)]));
+      options.viewPictures = scanPictures(state);
+      return options;
+    });
+  });
 }
 
 void MainWindow::restoreLayout() {

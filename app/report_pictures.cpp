@@ -8,9 +8,9 @@
 namespace vantage {
 namespace {
 
-QString tr(const char* text) {
-  return QCoreApplication::translate("ReportPictures", text);
-}
+struct Text {
+  Q_DECLARE_TR_FUNCTIONS(ReportPictures)
+};
 
 // How squarely the surface between a sample and its two grid neighbours faces the ray; 0 without neighbours.
 double facing(const RangeImage& scan, int row, int column) {
@@ -63,7 +63,8 @@ std::vector<ReportPicture> scanPictures(const AcquisitionState& state) {
   std::vector<ReportPicture> pictures;
   for (std::size_t i = 0; i < state.views.size(); ++i) {
     const RangeImage& scan = *state.views[i].image;
-    pictures.push_back(toReportPicture(scanImage(scan), tr("View %1, position %2").arg(i + 1).arg(scan.position)));
+    pictures.push_back(
+        toReportPicture(scanImage(scan), Text::tr("View %1, position %2").arg(i + 1).arg(scan.position)));
   }
   return pictures;
 }

@@ -348,14 +348,14 @@ void SessionController::exportModel(const QString& path) {
       [this, path](bool) { emit written(path); });
 }
 
-void SessionController::writeReport(const QString& path, HtmlReportOptions pictures) {
+void SessionController::writeReport(const QString& path, ReportParts parts) {
   if (!now_) return;
   start<bool>(
       Activity::Writing, tr("Writing %1").arg(path),
-      [state = now_, path = path.toStdString(), options = std::move(pictures)](const Progress& progress) {
+      [state = now_, path = path.toStdString(), parts = std::move(parts)](const Progress& progress) {
         progress.checkpoint(0.0);
         AtomicFile file(path);
-        file.write(makeHtmlReport(*state, options));
+        file.write(makeHtmlReport(*state, parts(*state)));
         file.commit();
         return true;
       },

@@ -3,6 +3,7 @@
 #include <QObject>
 #include <QString>
 #include <atomic>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -106,8 +107,9 @@ class SessionController final : public QObject {
   void showNow();
 
   void exportModel(const QString& path);
-  /// @param pictures made by who can draw; version, views and figures are filled in.
-  void writeReport(const QString& path, HtmlReportOptions pictures);
+  /// What a report on a state shows beside its figures; called beside the window.
+  using ReportParts = std::function<HtmlReportOptions(const AcquisitionState&)>;
+  void writeReport(const QString& path, ReportParts parts);
 
   /// The wizard's page, kept in the session so that it reopens there.
   [[nodiscard]] const QString& page() const { return page_; }

@@ -5,6 +5,7 @@
 
 #include "acquisition/steps.h"
 #include "planning/choice.h"
+#include "views/geometry_loader.h"
 
 namespace vantage {
 namespace {
@@ -43,8 +44,9 @@ SessionViews::SessionViews(SessionController& controller, PositionInspector& ins
       controller_(controller),
       inspector_(inspector),
       jobs_(jobs),
-      model_(new ModelPane(surfaces)),
-      space_(new PositionalPane(surfaces)),
+      geometries_(std::make_shared<GeometryStore>()),
+      model_(new ModelPane(surfaces, geometries_)),
+      space_(new PositionalPane(surfaces, geometries_)),
       map_(new UnrolledMapView),
       objective_(new ObjectiveView) {
   for (QWidget* watched : {static_cast<QWidget*>(space_), static_cast<QWidget*>(map_)})

@@ -49,6 +49,7 @@ class SessionViews final : public QObject {
   SessionController& controller_;
   PositionInspector& inspector_;
   JobRunner& jobs_;
+  std::shared_ptr<GeometryStore> geometries_;
   ModelPane* model_;
   PositionalPane* space_;
   UnrolledMapView* map_;

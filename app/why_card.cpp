@@ -7,64 +7,71 @@
 namespace vantage {
 namespace {
 
-QString tr(const char* text) {
-  return QCoreApplication::translate("WhyCard", text);
-}
+struct Text {
+  Q_DECLARE_TR_FUNCTIONS(WhyCard)
+};
 
 QString verdictOf(const Explanation& why) {
   switch (why.constraint) {
     case Constraint::Chosen:
-      return tr("Chosen: of all positions that overlap the model enough it shows the most unseen surface.");
+      return Text::tr("Chosen: of all positions that overlap the model enough it shows the most unseen surface.");
     case Constraint::Outscored:
-      return tr("Allowed, but the chosen position shows more.");
+      return Text::tr("Allowed, but the chosen position shows more.");
     case Constraint::BelowThreshold:
-      return tr("Rejected: what it would show is %1 short of the least that is worth a scan.")
+      return Text::tr("Rejected: what it would show is %1 short of the least that is worth a scan.")
           .arg(areaText(why.shortBy));
     case Constraint::OverlapShort:
-      return tr("Rejected: the overlap with the model is short by %1, so the scan could not be registered.")
+      return Text::tr("Rejected: the overlap with the model is short by %1, so the scan could not be registered.")
           .arg(areaText(why.shortBy));
     case Constraint::PoseUncertain:
-      return tr("Rejected: registration would be uncertain, by %1 mm more than allowed.")
+      return Text::tr("Rejected: registration would be uncertain, by %1 mm more than allowed.")
           .arg(figureText(why.shortBy, 3));
   }
   return {};
 }
 
 void addVoid(WhyCard& card, const Explanation& why) {
-  card.figures.push_back({tr("Void it would show (o_v)"), areaText(why.promise),
-                          tr("more than F = %1 is worth a scan").arg(areaText(why.terminationThreshold))});
+  card.figures.push_back({Text::tr("Void it would show (o_v)"), areaText(why.promise),
+                          Text::tr("more than F = %1 is worth a scan").arg(areaText(why.terminationThreshold))});
   if (why.tracedVoidArea)
     card.figures.push_back(
-        {tr("by positional space"), areaText(why.voidArea), tr("before following the scanner's rays")});
-  card.figures.push_back({tr("Rank"), QString::number(why.rank), tr("by what positions promise")});
+        {Text::tr("by positional space"), areaText(why.voidArea), Text::tr("before following the scanner's rays")});
+  card.figures.push_back({Text::tr("Rank"), QString::number(why.rank), Text::tr("by what positions promise")});
 }
 
 void addRegistration(WhyCard& card, const Explanation& why) {
-  card.figures.push_back({tr("Overlap (o_s)"), areaText(why.overlapArea),
-                          tr("more than t = %1 is needed").arg(areaText(why.leastOverlap))});
+  card.figures.push_back({Text::tr("Overlap (o_s)"), areaText(why.overlapArea),
+                          Text::tr("more than t = %1 is needed").arg(areaText(why.leastOverlap))});
   if (!why.poseSigma) return;
-  const QString sigma = std::isfinite(*why.poseSigma) ? figureText(*why.poseSigma, 3) + tr(" mm") : tr("unbounded");
+  const QString sigma =
+      std::isfinite(*why.poseSigma) ? figureText(*why.poseSigma, 3) + Text::tr(" mm") : Text::tr("unbounded");
   card.figures.push_back(
-      {tr("Registration error"), sigma, tr("weakest: %1").arg(QString::fromStdString(why.weakDirection))});
+      {Text::tr("Registration error"), sigma, Text::tr("weakest: %1").arg(QString::fromStdString(why.weakDirection))});
 }
 
 void addPatches(WhyCard& card, const Explanation& why) {
   if (why.patches == 0) return;
-  const char* const names[kEdgeClasses] = {"outer jumps", "inner jumps", "line-of-sight jumps", "regular", "rim"};
+  const char* const names[kEdgeClasses] = {
+      QT_TRANSLATE_NOOP("WhyCard", "outer jumps"), QT_TRANSLATE_NOOP("WhyCard", "inner jumps"),
+      QT_TRANSLATE_NOOP("WhyCard", "line-of-sight jumps"), QT_TRANSLATE_NOOP("WhyCard", "regular"),
+      QT_TRANSLATE_NOOP("WhyCard", "rim")};
   QStringList parts;
   for (std::size_t i = 0; i < kEdgeClasses; ++i)
-    if (why.patchesByClass[i] > 0) parts << QStringLiteral("%1 %2").arg(why.patchesByClass[i]).arg(tr(names[i]));
-  card.figures.push_back({tr("Void patches it wins"), QString::number(why.patches), parts.join(QStringLiteral(", "))});
+    if (why.patchesByClass[i] > 0) parts << QStringLiteral("%1 %2").arg(why.patchesByClass[i]).arg(Text::tr(names[i]));
+  card.figures.push_back(
+      {Text::tr("Void patches it wins"), QString::number(why.patches), parts.join(QStringLiteral(", "))});
 }
 
 void addSights(WhyCard& card, const PositionSight& sight) {
-  const std::pair<Visibility, const char*> rows[] = {{Visibility::Seen, "in sight"},
-                                                     {Visibility::LightBlocked, "light blocked by the object"},
-                                                     {Visibility::ReceiverBlocked, "receiver blocked by the object"},
-                                                     {Visibility::TooSteep, "too steep"},
-                                                     {Visibility::OutOfReach, "outside the sampling area"}};
+  const std::pair<Visibility, const char*> rows[] = {
+      {Visibility::Seen, QT_TRANSLATE_NOOP("WhyCard", "in sight")},
+      {Visibility::LightBlocked, QT_TRANSLATE_NOOP("WhyCard", "light blocked by the object")},
+      {Visibility::ReceiverBlocked, QT_TRANSLATE_NOOP("WhyCard", "receiver blocked by the object")},
+      {Visibility::TooSteep, QT_TRANSLATE_NOOP("WhyCard", "too steep")},
+      {Visibility::OutOfReach, QT_TRANSLATE_NOOP("WhyCard", "outside the sampling area")}};
   for (const auto& [visibility, text] : rows)
-    card.sights.push_back({tr(text), areaText(sight.area(visibility)), tr("%1 patches").arg(sight.count(visibility))});
+    card.sights.push_back(
+        {Text::tr(text), areaText(sight.area(visibility)), Text::tr("%1 patches").arg(sight.count(visibility))});
   const auto blocked = [&](Visibility wanted) -> std::uint32_t {
     for (const PatchSight& patch : sight.patches)
       if (patch.visibility == wanted && patch.blocker != kNoIndex) return patch.blocker;
@@ -72,7 +79,7 @@ void addSights(WhyCard& card, const PositionSight& sight) {
   };
   for (std::size_t i = 1; i < 3; ++i)
     if (const std::uint32_t triangle = blocked(rows[i].first); triangle != kNoIndex)
-      card.sights[i].remark += tr(", for one by triangle %1").arg(triangle);
+      card.sights[i].remark += Text::tr(", for one by triangle %1").arg(triangle);
 }
 
 QString difference(double value, double other, const QString& more, const QString& less) {
@@ -80,12 +87,13 @@ QString difference(double value, double other, const QString& more, const QStrin
 }
 
 QString comparisonOf(const Explanation& why) {
-  if (why.rival < 0) return why.constraint == Constraint::Chosen ? tr("No other position is allowed.") : QString();
-  const QString who = why.constraint == Constraint::Chosen ? tr("The runner-up, position %1,").arg(why.rival)
-                                                           : tr("The chosen position %1").arg(why.rival);
-  return tr("%1 shows %2 and overlaps %3.")
-      .arg(who, difference(why.rivalPromise, why.promise, tr("more"), tr("less")),
-           difference(why.rivalOverlap, why.overlapArea, tr("more"), tr("less")));
+  if (why.rival < 0)
+    return why.constraint == Constraint::Chosen ? Text::tr("No other position is allowed.") : QString();
+  const QString who = why.constraint == Constraint::Chosen ? Text::tr("The runner-up, position %1,").arg(why.rival)
+                                                           : Text::tr("The chosen position %1").arg(why.rival);
+  return Text::tr("%1 shows %2 and overlaps %3.")
+      .arg(who, difference(why.rivalPromise, why.promise, Text::tr("more"), Text::tr("less")),
+           difference(why.rivalOverlap, why.overlapArea, Text::tr("more"), Text::tr("less")));
 }
 
 }  // namespace
@@ -106,7 +114,7 @@ QString angleText(double radians) {
 WhyCard makeWhyCard(const PositionInsight& insight) {
   const Explanation& why = insight.why;
   WhyCard card;
-  card.title = tr("Position %1").arg(why.position);
+  card.title = Text::tr("Position %1").arg(why.position);
   card.verdict = verdictOf(why);
   addVoid(card, why);
   addRegistration(card, why);

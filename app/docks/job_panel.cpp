@@ -10,13 +10,14 @@
 namespace vantage {
 
 QString stepText(const QString& step) {
-  static constexpr std::pair<const char*, const char*> kTexts[] = {{"scan", "scanning"},
-                                                                   {"register", "registering"},
-                                                                   {"integrate", "merging"},
-                                                                   {"void_patches", "finding what is unseen"},
-                                                                   {"project_void", "projecting what is unseen"},
-                                                                   {"project_seen", "projecting what was seen"},
-                                                                   {"choose", "choosing the next view"}};
+  static constexpr std::pair<const char*, const char*> kTexts[] = {
+      {"scan", QT_TRANSLATE_NOOP("JobPanel", "scanning")},
+      {"register", QT_TRANSLATE_NOOP("JobPanel", "registering")},
+      {"integrate", QT_TRANSLATE_NOOP("JobPanel", "merging")},
+      {"void_patches", QT_TRANSLATE_NOOP("JobPanel", "finding what is unseen")},
+      {"project_void", QT_TRANSLATE_NOOP("JobPanel", "projecting what is unseen")},
+      {"project_seen", QT_TRANSLATE_NOOP("JobPanel", "projecting what was seen")},
+      {"choose", QT_TRANSLATE_NOOP("JobPanel", "choosing the next view")}};
   for (const auto& [key, text] : kTexts)
     if (step == QLatin1String(key)) return QCoreApplication::translate("JobPanel", text);
   return step;

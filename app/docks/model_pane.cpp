@@ -8,8 +8,8 @@
 
 namespace vantage {
 
-ModelPane::ModelPane(const SurfaceMaker& surfaces, QWidget* parent)
-    : QWidget(parent), view_(new ModelView(surfaces)), notice_(new QToolButton) {
+ModelPane::ModelPane(const SurfaceMaker& surfaces, const std::shared_ptr<GeometryStore>& store, QWidget* parent)
+    : QWidget(parent), view_(new ModelView(surfaces, nullptr, store)), notice_(new QToolButton) {
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);

@@ -15,7 +15,7 @@ class ModelPane final : public QWidget {
   Q_OBJECT
 
  public:
-  explicit ModelPane(const SurfaceMaker& surfaces, QWidget* parent = nullptr);
+  ModelPane(const SurfaceMaker& surfaces, const std::shared_ptr<GeometryStore>& store, QWidget* parent = nullptr);
 
   [[nodiscard]] ModelView& view() { return *view_; }
   /// A line over the view, for instance that an earlier moment is shown; empty hides it.

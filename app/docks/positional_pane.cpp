@@ -13,16 +13,20 @@ struct Direction {
   double psi;
 };
 // The directions that a cell can be looked at in; the first entry of the box is all of them.
-constexpr Direction kDirections[] = {{QT_TRANSLATE_NOOP("PositionalPane", "Straight out"), 0, 0},
-                                     {QT_TRANSLATE_NOOP("PositionalPane", "15° to the left"), 15, 0},
-                                     {QT_TRANSLATE_NOOP("PositionalPane", "15° to the right"), -15, 0},
-                                     {QT_TRANSLATE_NOOP("PositionalPane", "15° up"), 0, 15},
-                                     {QT_TRANSLATE_NOOP("PositionalPane", "15° down"), 0, -15}};
+constexpr Direction kDirections[] = {{QT_TRANSLATE_NOOP("vantage::PositionalPane", "Straight out"), 0, 0},
+                                     {QT_TRANSLATE_NOOP("vantage::PositionalPane", "15° to the left"), 15, 0},
+                                     {QT_TRANSLATE_NOOP("vantage::PositionalPane", "15° to the right"), -15, 0},
+                                     {QT_TRANSLATE_NOOP("vantage::PositionalPane", "15° up"), 0, 15},
+                                     {QT_TRANSLATE_NOOP("vantage::PositionalPane", "15° down"), 0, -15}};
 
 }  // namespace
 
-PositionalPane::PositionalPane(const SurfaceMaker& surfaces, QWidget* parent)
-    : QWidget(parent), view_(new PositionalSpaceView(surfaces)), kind_(new QComboBox), direction_(new QComboBox) {
+PositionalPane::PositionalPane(const SurfaceMaker& surfaces, const std::shared_ptr<GeometryStore>& store,
+                               QWidget* parent)
+    : QWidget(parent),
+      view_(new PositionalSpaceView(surfaces, nullptr, store)),
+      kind_(new QComboBox),
+      direction_(new QComboBox) {
   kind_->addItems({tr("Void, P_v"), tr("Seen, P_s"), tr("Scanner, P_c")});
   kind_->setAccessibleName(tr("Image in positional space"));
   direction_->addItem(tr("All directions"));

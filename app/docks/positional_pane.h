@@ -13,7 +13,7 @@ class PositionalPane final : public QWidget {
   Q_OBJECT
 
  public:
-  explicit PositionalPane(const SurfaceMaker& surfaces, QWidget* parent = nullptr);
+  PositionalPane(const SurfaceMaker& surfaces, const std::shared_ptr<GeometryStore>& store, QWidget* parent = nullptr);
 
   [[nodiscard]] PositionalSpaceView& view() { return *view_; }
   /// The position whose image of the scanner is shown; -1 for all.

@@ -6,9 +6,9 @@
 namespace vantage {
 namespace {
 
-QString tr(const char* text) {
-  return QCoreApplication::translate("AcquisitionForm", text);
-}
+struct Text {
+  Q_DECLARE_TR_FUNCTIONS(AcquisitionForm)
+};
 
 }  // namespace
 
@@ -35,18 +35,19 @@ void AcquisitionForm::writeTo(AcquisitionSettings& settings) const {
 FieldTable<AcquisitionForm> acquisitionFields() {
   using F = Field<AcquisitionForm>;
   using Form = AcquisitionForm;
-  return {{"placement", tr("Place object"),
-           tr("Take the mesh where it is, or scale and centre it into the viewing volume."),
-           F::Choice{&Form::placement, {tr("As it is"), tr("Fit into volume")}}},
-          {"max_views", tr("Most views"), tr("Stop after so many views."), F::Whole{&Form::maxViews, 1, 10000, {}}},
-          {"tolerance", tr("Least confidence"),
-           tr("Surface sampled at a smaller cosine than this attracts another view; 0 switches it off."),
+  return {{"placement", Text::tr("Place object"),
+           Text::tr("Take the mesh where it is, or scale and centre it into the viewing volume."),
+           F::Choice{&Form::placement, {Text::tr("As it is"), Text::tr("Fit into volume")}}},
+          {"max_views", Text::tr("Most views"), Text::tr("Stop after so many views."),
+           F::Whole{&Form::maxViews, 1, 10000, {}}},
+          {"tolerance", Text::tr("Least confidence"),
+           Text::tr("Surface sampled at a smaller cosine than this attracts another view; 0 switches it off."),
            F::Number{&Form::tolerance, 0.0, 1.0, 2, {}}},
-          {"first_view", tr("First position"), tr("Where the first scan is taken."),
+          {"first_view", Text::tr("First position"), Text::tr("Where the first scan is taken."),
            F::Whole{&Form::firstView, 0, 9999, {}}},
-          {"seed", tr("Seed"), tr("Of the simulated scanner's noise and mechanics."),
+          {"seed", Text::tr("Seed"), Text::tr("Of the simulated scanner's noise and mechanics."),
            F::Whole{&Form::seed, 0, std::numeric_limits<int>::max(), {}}},
-          {"ideal", tr("Ideal scanner"), tr("Switch the simulated noise and mechanical errors off."),
+          {"ideal", Text::tr("Ideal scanner"), Text::tr("Switch the simulated noise and mechanical errors off."),
            F::Switch{&Form::ideal}}};
 }
 

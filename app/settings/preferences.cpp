@@ -7,23 +7,24 @@
 namespace vantage {
 namespace {
 
-QString tr(const char* text) {
-  return QCoreApplication::translate("Preferences", text);
-}
+struct Text {
+  Q_DECLARE_TR_FUNCTIONS(Preferences)
+};
 
 }  // namespace
 
 FieldTable<Preferences> preferenceFields() {
   using F = Field<Preferences>;
-  return {{"theme", tr("Theme"), tr("Colours of the window and of the views."),
-           F::Choice{&Preferences::theme, {tr("Light"), tr("Dark")}}},
-          {"navigation", tr("Mouse"), tr("Which program the mouse buttons in the views follow."),
-           F::Choice{&Preferences::navigation, {"MeshLab", "CloudCompare", "Blender", "ParaView"}}},
-          {"threads", tr("Threads"),
-           tr("Processors that computing may use from the next start on; 0 takes all. Results never depend on it."),
-           F::Whole{&Preferences::threads, 0, 256, {}}},
-          {"reopen", tr("Go on where I was"), tr("Open the session of last time at start if it was not ended."),
-           F::Switch{&Preferences::reopen}}};
+  return {
+      {"theme", Text::tr("Theme"), Text::tr("Colours of the window and of the views."),
+       F::Choice{&Preferences::theme, {Text::tr("Light"), Text::tr("Dark")}}},
+      {"navigation", Text::tr("Mouse"), Text::tr("Which program the mouse buttons in the views follow."),
+       F::Choice{&Preferences::navigation, {"MeshLab", "CloudCompare", "Blender", "ParaView"}}},
+      {"threads", Text::tr("Threads"),
+       Text::tr("Processors that computing may use from the next start on; 0 takes all. Results never depend on it."),
+       F::Whole{&Preferences::threads, 0, 256, {}}},
+      {"reopen", Text::tr("Go on where I was"), Text::tr("Open the session of last time at start if it was not ended."),
+       F::Switch{&Preferences::reopen}}};
 }
 
 Preferences loadPreferences() {

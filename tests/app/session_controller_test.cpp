@@ -234,7 +234,7 @@ TEST_F(SessionControllerTest, AdvisesWhichWayToTurnTheTable) {
 TEST_F(SessionControllerTest, WritesTheReport) {
   prepare();
   controller_->step();
-  controller_->writeReport(path("report.html"), {});
+  controller_->writeReport(path("report.html"), [](const AcquisitionState&) { return HtmlReportOptions{}; });
   EXPECT_TRUE(bytesOf(path("report.html")).contains("</html>"));
 }
 

@@ -1,13 +1,18 @@
 #include <gtest/gtest.h>
 
+#include <QApplication>
+#include <QDeadlineTimer>
+
 #include "layers/positional_links.h"
 #include "look/legend.h"
+#include "osmesa/osmesa_window.h"
 #include "screenshots/mug_session.h"
 #include "screenshots/screenshot.h"
 #include "views/model_view.h"
 #include "views/objective_view.h"
 #include "views/positional_space_view.h"
 #include "views/scanner_picture_view.h"
+#include "views/threaded_surface.h"
 #include "views/unrolled_map_view.h"
 
 namespace vantage::testing {
@@ -254,6 +259,45 @@ TEST(Pictures, SeveralViewsAtOnceDoNotDisturbEachOther) {
   const QImage otherFirst = grab(other, kSize);
   EXPECT_TRUE(isSamePicture(grab(alone, kSize), expected));
   EXPECT_TRUE(isSamePicture(grab(other, kSize), otherFirst));
+}
+
+// A picture of a view, however long it takes to draw.
+QImage taken(ModelView& view) {
+  QImage image;
+  view.takePictures({CameraPreset::Front}, [&](const std::vector<QImage>& pictures) { image = pictures.front(); });
+  const QDeadlineTimer patience(20000);
+  while (image.isNull() && !patience.hasExpired()) QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents, 100);
+  return image;
+}
+
+TEST(Pictures, DrawnOnAThreadOfItsOwnTheyAreTheSame) {
+  ModelView here(testSurfaces());
+  ModelView beside(threadedSurfaces(std::make_shared<RenderThread>(), osmesaWindows()));
+  for (ModelView* view : {&here, &beside}) {
+    view->resize(kSize);
+    view->setSnapshot(mugUnderWay());
+    view->finishLoading();
+    QApplication::sendPostedEvents();
+  }
+  EXPECT_TRUE(isSamePicture(taken(beside), taken(here)));
+}
+
+TEST(Pictures, ViewsMayBeChangedAndClosedWhileTheyAreDrawn) {
+  const auto thread = std::make_shared<RenderThread>();
+  for (int round = 0; round < 10; ++round) {
+    ModelView view(threadedSurfaces(thread, osmesaWindows()));
+    view.setVisible(true);
+    for (int i = 0; i < 3 * round; ++i) {
+      view.setSnapshot(i % 3 == 0 ? mugFinished() : mugUnderWay());
+      view.setTheme(i % 2 == 0 ? darkTheme() : lightTheme());
+      view.setOptions({.colouring = static_cast<ModelColouring>(i % 4), .voidPatches = i % 2 == 0});
+      view.highlight({0, 1, 2});
+      view.examine(i);
+      view.lookFrom(i % 2 == 0 ? CameraPreset::Top : CameraPreset::Front);
+      view.resize(200 + 20 * i, 300 - 5 * i);
+      QCoreApplication::processEvents();
+    }
+  }
 }
 
 TEST(Pictures, ResizingAndBackGivesTheSamePicture) {

@@ -32,6 +32,15 @@ TEST(SightLine, RightOfTheMiddleIsToTheRight) {
   EXPECT_GT(sightLine(camera, {500.0, 300.0}, kSize).direction.y(), 0.0);
 }
 
+TEST(DistanceTo, IsMeasuredToTheQuadFromEitherSideAndMissesBesideIt) {
+  const std::array<Vec3, 4> quad{Vec3(5, -1, -1), Vec3(5, 1, -1), Vec3(5, 1, 1), Vec3(5, -1, 1)};
+  EXPECT_DOUBLE_EQ(distanceTo(quad, {Vec3::Zero(), Vec3::UnitX()}).value(), 5.0);
+  EXPECT_DOUBLE_EQ(distanceTo(quad, {Vec3(12, 0.5, 0), -Vec3::UnitX()}).value(), 7.0);
+  EXPECT_FALSE(distanceTo(quad, {Vec3(0, 1.1, 0), Vec3::UnitX()}));
+  EXPECT_FALSE(distanceTo(quad, {Vec3::Zero(), -Vec3::UnitX()})) << "behind";
+  EXPECT_FALSE(distanceTo(quad, {Vec3(5, -3, 0), Vec3::UnitY()})) << "along its plane";
+}
+
 TEST(CameraToward, HasEveryCornerOfTheBoxInSight) {
   const BoundingBox box{{-30.0, -80.0, 0.0}, {50.0, 20.0, 120.0}};
   for (const Vec3& forward : {Vec3(-1.0, 0.0, 0.0), Vec3(0.0, 0.0, -1.0), Vec3(-1.0, 0.5, -0.5)}) {

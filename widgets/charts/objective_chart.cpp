@@ -17,9 +17,9 @@ constexpr double kRight = 12.0;
 constexpr double kTitle = 30.0;
 constexpr double kGap = 30.0;
 
-QString text(const char* source) {
-  return QCoreApplication::translate("ObjectiveView", source);
-}
+struct Text {
+  Q_DECLARE_TR_FUNCTIONS(ObjectiveView)
+};
 
 QColor voidColour() {
   return toColour(categoryColour(1));
@@ -53,15 +53,16 @@ QString areaText(double value) {
 void paintHead(QPainter& painter, const QRectF& area, const ObjectiveChartData& data, const ObjectiveMarks& marks,
                const Theme& theme) {
   const int told = marks.hovered >= 0 ? marks.hovered : marks.examined >= 0 ? marks.examined : data.chosen;
-  QString title = data.chosen >= 0 ? text("Next best view: position %1").arg(data.chosen) : text("No next view");
+  QString title =
+      data.chosen >= 0 ? Text::tr("Next best view: position %1").arg(data.chosen) : Text::tr("No next view");
   paintOverlay(painter, area, {{title}, {}}, theme);
   if (told < 0 || told >= static_cast<int>(data.positions.size())) return;
   const auto& p = data.positions[static_cast<std::size_t>(told)];
-  const QString line = text("position %1: void %2, overlap %3")
+  const QString line = Text::tr("position %1: void %2, overlap %3")
                            .arg(QString::number(told), areaText(p.voidArea), areaText(p.overlapArea)) +
-                       (p.taken     ? text(", taken")
+                       (p.taken     ? Text::tr(", taken")
                         : p.allowed ? QString()
-                                    : text(", ruled out"));
+                                    : Text::tr(", ruled out"));
   paintText(painter, {area.left() + 9.0, area.top() + 26.0}, Qt::AlignLeft | Qt::AlignTop, line, theme.mutedText, 12.0);
 }
 
@@ -72,10 +73,10 @@ void paintFoot(QPainter& painter, const QRectF& area, const ObjectiveChartData& 
     QString text;
     bool line;
   };
-  const std::array<Item, 4> items{{{voidColour(), text("o_v: void"), false},
-                                   {theme.threshold, text("F = %1").arg(areaText(data.terminationThreshold)), true},
-                                   {overlapColour(), text("o_s: overlap"), false},
-                                   {theme.threshold, text("t = %1").arg(areaText(data.leastOverlap)), true}}};
+  const std::array<Item, 4> items{{{voidColour(), Text::tr("o_v: void"), false},
+                                   {theme.threshold, Text::tr("F = %1").arg(areaText(data.terminationThreshold)), true},
+                                   {overlapColour(), Text::tr("o_s: overlap"), false},
+                                   {theme.threshold, Text::tr("t = %1").arg(areaText(data.leastOverlap)), true}}};
   const double width = (area.width() - 20.0) / 2.0;
   for (std::size_t i = 0; i < items.size(); ++i) {
     const double x = area.left() + 10.0 + width * static_cast<double>(i % 2);
@@ -223,8 +224,8 @@ void paintPositions(QPainter& painter, const Bars& bars, const ObjectiveChartDat
 void paintBars(QPainter& painter, const QRectF& area, const ObjectiveChartData& data, const ObjectiveMarks& marks,
                const Theme& theme) {
   const Bars bars(area, data.positions.size());
-  paintBarAxis(painter, bars.upper, mostVoid(data), data.terminationThreshold, text("void mm²"), theme);
-  paintBarAxis(painter, bars.lower, mostOverlap(data), data.leastOverlap, text("overlap mm²"), theme);
+  paintBarAxis(painter, bars.upper, mostVoid(data), data.terminationThreshold, Text::tr("void mm²"), theme);
+  paintBarAxis(painter, bars.lower, mostOverlap(data), data.leastOverlap, Text::tr("overlap mm²"), theme);
   for (std::size_t i = 0; i < data.positions.size(); ++i) {
     const auto& p = data.positions[i];
     const double x = bars.upper.left() + (static_cast<double>(i) + 0.1) * bars.step;
@@ -280,7 +281,8 @@ void paintObjective(QPainter& painter, const QRectF& area, const ObjectiveChartD
   painter.fillRect(area, theme.panel);
   painter.setRenderHint(QPainter::Antialiasing);
   if (data.empty()) {
-    paintText(painter, area.center(), Qt::AlignHCenter | Qt::AlignVCenter, text("No plan yet"), theme.mutedText, 13.0);
+    paintText(painter, area.center(), Qt::AlignHCenter | Qt::AlignVCenter, Text::tr("No plan yet"), theme.mutedText,
+              13.0);
     return;
   }
   paintHead(painter, area, data, marks, theme);

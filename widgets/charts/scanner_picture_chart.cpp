@@ -8,9 +8,9 @@
 namespace vantage {
 namespace {
 
-QString text(const char* source) {
-  return QCoreApplication::translate("ScannerPicture", source);
-}
+struct Text {
+  Q_DECLARE_TR_FUNCTIONS(ScannerPicture)
+};
 
 QColor colourOf(RaySight sight, double cosine, const Theme& theme) {
   switch (sight) {
@@ -61,7 +61,7 @@ double paintKey(QPainter& painter, const QRectF& area, const ScannerPicture& pic
     if (count == 0) continue;
     const QString label =
         QStringLiteral("%1 %2 %")
-            .arg(text(textOf(sight)))
+            .arg(Text::tr(textOf(sight)))
             .arg(100.0 * static_cast<double>(count) / static_cast<double>(picture.sight.size()), 0, 'f', 1);
     const double width = 16.0 + QFontMetricsF(pictureFont(11.0)).horizontalAdvance(label) + 14.0;
     if (at.x() + width > area.right() && at.x() > area.left() + 10.0) {

@@ -7,9 +7,9 @@
 namespace vantage {
 namespace {
 
-QString text(const char* source) {
-  return QCoreApplication::translate("PositionalSpace", source);
-}
+struct Text {
+  Q_DECLARE_TR_FUNCTIONS(PositionalSpace)
+};
 
 std::size_t surfaceIndex(const PositionalSpaceShape& shape, const PositionalCell& cell) {
   return static_cast<std::size_t>(cell.row) * static_cast<std::size_t>(shape.columns) +
@@ -49,14 +49,14 @@ void countPositions(const ScannerImages& images, const PositionalViewOptions& op
 QString titleOf(const PositionalViewOptions& options) {
   switch (options.kind) {
     case PositionalImageKind::Void:
-      return text("P_v: void");
+      return Text::tr("P_v: void");
     case PositionalImageKind::Seen:
-      return text("P_s: surface already seen");
+      return Text::tr("P_s: surface already seen");
     case PositionalImageKind::Scanner:
       break;
   }
-  return options.position ? text("P_c: rays of position %1").arg(*options.position)
-                          : text("P_c: rays of all positions");
+  return options.position ? Text::tr("P_c: rays of position %1").arg(*options.position)
+                          : Text::tr("P_c: rays of all positions");
 }
 
 }  // namespace
@@ -68,7 +68,7 @@ std::optional<CellField> cellField(const ViewSnapshot& snapshot, const Positiona
   field.shape = snapshot.scannerImages->grid().shape();
   field.values.assign(static_cast<std::size_t>(field.shape.rows) * static_cast<std::size_t>(field.shape.columns), 0.0);
   field.title = titleOf(options);
-  field.unit = options.kind == PositionalImageKind::Scanner ? text("positions") : QStringLiteral("mm²");
+  field.unit = options.kind == PositionalImageKind::Scanner ? Text::tr("positions") : QStringLiteral("mm²");
   field.map = options.kind == PositionalImageKind::Seen ? ColourMap::Cividis : ColourMap::Viridis;
   if (options.kind == PositionalImageKind::Void)
     sumImage(snapshot.planImages->voids, *snapshot.scannerImages, options, field);

@@ -2,6 +2,7 @@
 
 #include <vtkCellArray.h>
 #include <vtkCellArrayIterator.h>
+#include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkQuadricClustering.h>
 
@@ -34,7 +35,15 @@ Place placeOf(const Vec3& p) {
 vtkSmartPointer<vtkPolyData> clustered(vtkPolyData& surface, const BoundingBox& box, double cell) {
   const auto clustering = vtkSmartPointer<vtkQuadricClustering>::New();
   const auto cells = [&](int axis) { return std::max(2, static_cast<int>(std::ceil(box.size()[axis] / cell))); };
-  clustering->SetInputData(&surface);
+  // With points and cells of its own: what walks along them keeps notes in them, and the surface may be being drawn.
+  const auto points = vtkSmartPointer<vtkPoints>::New();
+  points->SetData(surface.GetPoints()->GetData());
+  const auto triangles = vtkSmartPointer<vtkCellArray>::New();
+  triangles->ShallowCopy(surface.GetPolys());
+  const auto copy = vtkSmartPointer<vtkPolyData>::New();
+  copy->SetPoints(points);
+  copy->SetPolys(triangles);
+  clustering->SetInputData(copy);
   clustering->SetNumberOfDivisions(cells(0), cells(1), cells(2));
   clustering->AutoAdjustNumberOfDivisionsOff();
   clustering->UseInputPointsOn();
@@ -122,20 +131,30 @@ vtkSmartPointer<vtkPolyData> ModelGeometry::colouredCoarse(ModelColouring colour
   return withPointColours(*coarse, colours);
 }
 
+std::shared_ptr<const ModelGeometry> prepareSurface(std::shared_ptr<const Model> model) {
+  auto geometry = std::make_shared<ModelGeometry>();
+  geometry->surface = toPolyData(model->mesh, true);
+  geometry->box = boundingBox(model->mesh);
+  geometry->model = std::move(model);
+  return geometry;
+}
+
+std::shared_ptr<const ModelGeometry> withPicking(const std::shared_ptr<const ModelGeometry>& geometry,
+                                                 const Progress& progress) {
+  const Mesh& mesh = geometry->model->mesh;
+  auto result = std::make_shared<ModelGeometry>(*geometry);
+  progress.checkpoint(0.0);
+  result->boundary = boundaryLines(mesh);
+  progress.checkpoint(0.5);
+  result->caster = std::make_shared<const RayCaster>(mesh);
+  progress.checkpoint(1.0);
+  return result;
+}
+
 std::shared_ptr<const ModelGeometry> prepareModelGeometry(std::shared_ptr<const Model> model,
                                                           const Progress& progress) {
-  auto geometry = std::make_shared<ModelGeometry>();
-  const Mesh& mesh = model->mesh;
   progress.checkpoint(0.0);
-  geometry->surface = toPolyData(mesh, true);
-  progress.checkpoint(0.3);
-  geometry->boundary = boundaryLines(mesh);
-  geometry->box = boundingBox(mesh);
-  progress.checkpoint(0.6);
-  geometry->caster = std::make_shared<const RayCaster>(mesh);
-  geometry->model = std::move(model);
-  progress.checkpoint(1.0);
-  return geometry;
+  return withPicking(prepareSurface(std::move(model)), progress.part(0.4, 1.0));
 }
 
 bool needsStandIn(const Model& model, const StandInOptions& options) {

@@ -18,9 +18,10 @@ namespace vantage {
 struct ModelGeometry {
   std::shared_ptr<const Model> model;
   vtkSmartPointer<vtkPolyData> surface;
-  vtkSmartPointer<vtkPolyData> boundary;
   BoundingBox box;
-  std::shared_ptr<const RayCaster> caster;
+
+  vtkSmartPointer<vtkPolyData> boundary;    ///< null while only the surface is ready
+  std::shared_ptr<const RayCaster> caster;  ///< null while only the surface is ready
 
   vtkSmartPointer<vtkPolyData> coarse;      ///< drawn while the camera moves; null for a small model
   std::vector<std::uint32_t> coarseVertex;  ///< per vertex of it the model's vertex
@@ -30,7 +31,14 @@ struct ModelGeometry {
   [[nodiscard]] vtkSmartPointer<vtkPolyData> colouredCoarse(ModelColouring colouring, std::size_t views) const;
 };
 
-/// Makes a model ready: some tenths of a second for a million triangles. @throws Cancelled
+/// Makes a model ready to be drawn, but not to be picked: a tenth of a second for a million triangles.
+[[nodiscard]] std::shared_ptr<const ModelGeometry> prepareSurface(std::shared_ptr<const Model> model);
+
+/// The same with boundary and caster: some tenths of a second for a million triangles. @throws Cancelled
+[[nodiscard]] std::shared_ptr<const ModelGeometry> withPicking(const std::shared_ptr<const ModelGeometry>& geometry,
+                                                               const Progress& progress = {});
+
+/// Makes a model ready to be drawn and picked. @throws Cancelled
 [[nodiscard]] std::shared_ptr<const ModelGeometry> prepareModelGeometry(std::shared_ptr<const Model> model,
                                                                         const Progress& progress = {});
 

@@ -21,7 +21,8 @@ vtkSmartPointer<vtkProperty> insideOf(const QColor& surface) {
 
 }  // namespace
 
-ModelLayer::ModelLayer(Scene& scene) : surface_(makeActor()), coarse_(makeActor()), boundary_(makeActor()) {
+ModelLayer::ModelLayer(Scene& scene)
+    : scene_(scene), surface_(makeActor()), coarse_(makeActor()), boundary_(makeActor()) {
   scene.add(*surface_);
   scene.add(*coarse_);
   scene.addLines(*boundary_, kBoundaryWidth);
@@ -32,10 +33,15 @@ ModelLayer::ModelLayer(Scene& scene) : surface_(makeActor()), coarse_(makeActor(
 }
 
 void ModelLayer::set(std::shared_ptr<const ModelGeometry> geometry, ModelColouring colouring, std::size_t views) {
+  if (geometry == geometry_ && colouring == colouring_ && views == views_) return;
   geometry_ = std::move(geometry);
-  setData(*surface_, geometry_ ? geometry_->coloured(colouring, views).Get() : nullptr);
-  setData(*coarse_, geometry_ ? geometry_->colouredCoarse(colouring, views).Get() : nullptr);
-  setData(*boundary_, geometry_ ? geometry_->boundary.Get() : nullptr);
+  colouring_ = colouring;
+  views_ = views;
+  scene_.change([this, colouring, views, shown = geometry_] {
+    setData(*surface_, shown ? shown->coloured(colouring, views).Get() : nullptr);
+    setData(*coarse_, shown ? shown->colouredCoarse(colouring, views).Get() : nullptr);
+    setData(*boundary_, shown ? shown->boundary.Get() : nullptr);
+  });
   update();
 }
 
@@ -52,21 +58,24 @@ void ModelLayer::setMoving(bool moving) {
 
 void ModelLayer::update() {
   const bool useCoarse = moving_ && geometry_ && geometry_->coarse != nullptr;
-  surface_->SetVisibility(geometry_ && surfaceVisible_ && !useCoarse);
-  coarse_->SetVisibility(surfaceVisible_ && useCoarse);
-  boundary_->SetVisibility(geometry_ && boundaryVisible_);
+  const bool surface = geometry_ && surfaceVisible_ && !useCoarse;
+  const bool coarse = surfaceVisible_ && useCoarse;
+  const bool boundary = geometry_ && boundaryVisible_;
+  scene_.change([this, surface, coarse, boundary] {
+    surface_->SetVisibility(surface);
+    coarse_->SetVisibility(coarse);
+    boundary_->SetVisibility(boundary);
+  });
 }
 
 void ModelLayer::setTheme(const Theme& theme) {
-  for (vtkActor* actor : {surface_.Get(), coarse_.Get()}) {
-    setColour(*actor, toRgb(theme.surface));
-    actor->SetBackfaceProperty(insideOf(theme.surface));
-  }
-  setColour(*boundary_, toRgb(theme.boundary));
-}
-
-void ModelLayer::setOpacity(double opacity) {
-  for (vtkActor* actor : {surface_.Get(), coarse_.Get()}) actor->GetProperty()->SetOpacity(opacity);
+  scene_.change([this, &theme] {
+    for (vtkActor* actor : {surface_.Get(), coarse_.Get()}) {
+      setColour(*actor, toRgb(theme.surface));
+      actor->SetBackfaceProperty(insideOf(theme.surface));
+    }
+    setColour(*boundary_, toRgb(theme.boundary));
+  });
 }
 
 }  // namespace vantage

@@ -18,16 +18,17 @@ class ModelLayer {
   void setVisible(bool surface, bool boundary);
   void setMoving(bool moving);
   void setTheme(const Theme& theme);
-  /// How much of what is behind the surface shows through it: 1 for none.
-  void setOpacity(double opacity);
 
  private:
   void update();
 
+  Scene& scene_;
   std::shared_ptr<const ModelGeometry> geometry_;
   vtkSmartPointer<vtkActor> surface_;
   vtkSmartPointer<vtkActor> coarse_;
   vtkSmartPointer<vtkActor> boundary_;
+  ModelColouring colouring_ = ModelColouring::Plain;
+  std::size_t views_ = 0;
   bool surfaceVisible_ = true;
   bool boundaryVisible_ = true;
   bool moving_ = false;

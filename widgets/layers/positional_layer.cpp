@@ -25,9 +25,23 @@ std::array<Vec3, 4> cornersOf(const SurfaceCell& cell) {
   return {corner(-1.0, -1.0), corner(1.0, -1.0), corner(1.0, 1.0), corner(-1.0, 1.0)};
 }
 
+// Corners are counter-clockwise seen from outside.
+bool leaves(const std::array<Vec3, 4>& quad, const SightLine& line) {
+  return (quad[2] - quad[0]).cross(quad[3] - quad[1]).dot(line.direction) > 0.0;
+}
+
+std::vector<Rgb> coloursOf(const CellField& field) {
+  std::vector<Rgb> colours;
+  colours.reserve(field.values.size());
+  for (const double value : field.values)
+    colours.push_back(colourAt(field.map, field.maximum > 0.0 ? value / field.maximum : 0.0));
+  return colours;
+}
+
 }  // namespace
 
-PositionalLayer::PositionalLayer(Scene& scene) : far_(makeActor()), near_(makeActor()), highlighted_(makeActor()) {
+PositionalLayer::PositionalLayer(Scene& scene)
+    : scene_(scene), far_(makeActor()), near_(makeActor()), highlighted_(makeActor()) {
   scene.add(*far_);
   scene.add(*near_);
   scene.addLines(*highlighted_, kHighlightWidth);
@@ -41,25 +55,17 @@ PositionalLayer::PositionalLayer(Scene& scene) : far_(makeActor()), near_(makeAc
 
 void PositionalLayer::set(const PositionalSpaceGrid* grid, const CellField* field) {
   quads_.clear();
-  caster_.reset();
   columns_ = 0;
   if (grid != nullptr) {
     for (const SurfaceCell& cell : grid->surfaceCells()) quads_.push_back(cornersOf(cell));
     columns_ = grid->columns();
-    reach_ = 0.2 * grid->shape().radius;
-    caster_.emplace(quadMesh(quads_));
   }
-  if (field == nullptr || quads_.empty()) {
-    for (vtkActor* actor : {far_.Get(), near_.Get()}) setData(*actor, nullptr);
-    return;
-  }
-  std::vector<Rgb> colours;
-  colours.reserve(quads_.size());
-  for (const double value : field->values)
-    colours.push_back(colourAt(field->map, field->maximum > 0.0 ? value / field->maximum : 0.0));
-  const auto data = withCellColours(*toQuads(quads_), colours);
-  setData(*far_, data);
-  setData(*near_, data);
+  vtkSmartPointer<vtkPolyData> data;
+  if (field != nullptr && !quads_.empty()) data = withCellColours(*toQuads(quads_), coloursOf(*field));
+  scene_.change([this, data] {
+    setData(*far_, data);
+    setData(*near_, data);
+  });
 }
 
 void PositionalLayer::highlight(const std::vector<std::uint32_t>& cells) {
@@ -68,25 +74,25 @@ void PositionalLayer::highlight(const std::vector<std::uint32_t>& cells) {
     if (cell >= quads_.size()) continue;
     for (std::size_t k = 0; k < 4; ++k) lines.push_back({quads_[cell][k], quads_[cell][(k + 1) % 4]});
   }
-  setData(*highlighted_, lines.empty() ? nullptr : toSegments(lines).Get());
+  scene_.change(
+      [this, lines = std::move(lines)] { setData(*highlighted_, lines.empty() ? nullptr : toSegments(lines).Get()); });
 }
 
 void PositionalLayer::setTheme(const Theme& theme) {
-  setColour(*highlighted_, toRgb(theme.examined));
+  scene_.change([this, &theme] { setColour(*highlighted_, toRgb(theme.examined)); });
 }
 
 std::optional<PositionalLayer::Pick> PositionalLayer::pick(const SightLine& line) const {
-  if (!caster_) return std::nullopt;
-  double from = 0.0;
-  // Through the veil to the far half: the one that the line leaves through.
-  while (const auto hit = caster_->intersect(line.origin, line.direction, from)) {
-    if (hit->normal.dot(line.direction) > 0.0) {
-      const auto cell = static_cast<int>(hit->triangle / 2);
-      return Pick{cell / columns_, cell % columns_};
-    }
-    from = hit->distance + 1e-3 * reach_;
+  std::optional<Pick> far;
+  double farthest = 0.0;
+  // The surface is met twice, first in the half toward the eye: the far half is where the line leaves.
+  for (std::size_t cell = 0; cell < quads_.size(); ++cell) {
+    const auto distance = distanceTo(quads_[cell], line);
+    if (!distance || *distance < farthest || !leaves(quads_[cell], line)) continue;
+    farthest = *distance;
+    far = Pick{static_cast<int>(cell) / columns_, static_cast<int>(cell) % columns_};
   }
-  return std::nullopt;
+  return far;
 }
 
 }  // namespace vantage

@@ -5,7 +5,6 @@
 #include <optional>
 #include <vector>
 
-#include "geometry/ray_caster.h"
 #include "layers/cell_field.h"
 #include "vtk/scene.h"
 
@@ -30,10 +29,9 @@ class PositionalLayer {
   [[nodiscard]] std::optional<Pick> pick(const SightLine& line) const;
 
  private:
+  Scene& scene_;
   std::vector<std::array<Vec3, 4>> quads_;
   int columns_ = 0;
-  double reach_ = 0.0;
-  std::optional<RayCaster> caster_;
   vtkSmartPointer<vtkActor> far_;
   vtkSmartPointer<vtkActor> near_;
   vtkSmartPointer<vtkActor> highlighted_;

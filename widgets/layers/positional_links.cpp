@@ -9,9 +9,9 @@
 namespace vantage {
 namespace {
 
-QString text(const char* source) {
-  return QCoreApplication::translate("PositionalSpace", source);
-}
+struct Text {
+  Q_DECLARE_TR_FUNCTIONS(PositionalSpace)
+};
 
 // Directions in which occupied cells leave through one surface cell [rad].
 struct Directions {
@@ -83,13 +83,13 @@ QStringList describeCell(const ViewSnapshot& snapshot, const CellField& field, i
   const SurfaceCell& cell = snapshot.scannerImages->grid().surfaceCell(row, column);
   const double azimuth = std::atan2(cell.centre.y(), cell.centre.x());
   QStringList lines;
-  lines << text("row %1, column %2: %3 at z %4 mm, %5 %6")
+  lines << Text::tr("row %1, column %2: %3 at z %4 mm, %5 %6")
                .arg(QString::number(row), QString::number(column), angle(azimuth < 0.0 ? azimuth + 2.0 * kPi : azimuth),
                     QString::number(std::lround(cell.centre.z())), shortNumber(field.at(row, column)), field.unit);
   const Directions directions = directionsOf(*snapshot.scannerImages, row, column);
   lines << (directions.cells == 0
-                ? text("no ranging ray leaves through it")
-                : text("rays in %1 directions, %2 to %3 aside, %4 to %5 up")
+                ? Text::tr("no ranging ray leaves through it")
+                : Text::tr("rays in %1 directions, %2 to %3 aside, %4 to %5 up")
                       .arg(QString::number(directions.cells), angle(directions.lowPhi), angle(directions.highPhi),
                            angle(directions.lowPsi), angle(directions.highPsi)));
   return lines;

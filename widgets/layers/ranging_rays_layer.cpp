@@ -64,7 +64,8 @@ struct RangingRaysLayer::Drawing {
   std::function<std::optional<double>(std::size_t ray, const Vec3& origin, const Vec3& direction)> meets;
 };
 
-RangingRaysLayer::RangingRaysLayer(Scene& scene) : rays_(makeActor()), head_(makeActor()), receivers_(makeActor()) {
+RangingRaysLayer::RangingRaysLayer(Scene& scene)
+    : scene_(scene), rays_(makeActor()), head_(makeActor()), receivers_(makeActor()) {
   scene.addLines(*rays_, kRayWidth);
   scene.addLines(*head_, kHeadWidth);
   scene.add(*receivers_);
@@ -75,14 +76,18 @@ RangingRaysLayer::RangingRaysLayer(Scene& scene) : rays_(makeActor()), head_(mak
 }
 
 void RangingRaysLayer::clear() {
-  for (vtkActor* actor : {rays_.Get(), head_.Get(), receivers_.Get()}) {
-    setData(*actor, nullptr);
-    actor->SetVisibility(false);
-  }
+  scene_.change([this] {
+    for (vtkActor* actor : {rays_.Get(), head_.Get(), receivers_.Get()}) {
+      setData(*actor, nullptr);
+      actor->SetVisibility(false);
+    }
+  });
 }
 
 void RangingRaysLayer::setColour(const QColor& colour) {
-  for (vtkActor* actor : {rays_.Get(), head_.Get(), receivers_.Get()}) vantage::setColour(*actor, toRgb(colour));
+  scene_.change([this, colour] {
+    for (vtkActor* actor : {rays_.Get(), head_.Get(), receivers_.Get()}) vantage::setColour(*actor, toRgb(colour));
+  });
 }
 
 void RangingRaysLayer::showView(const ScannerProfile& profile, const View& view) {
@@ -136,10 +141,12 @@ void RangingRaysLayer::draw(const Drawing& drawing) {
     addMarker(receivers, pose * receiver, kReceiverSize);
     rays.push_back({pose * receiver, target});
   }
-  setData(*rays_, toSegments(rays));
-  setData(*head_, toSegments(head));
-  setData(*receivers_, toPolyData(receivers, false));
-  for (vtkActor* actor : {rays_.Get(), head_.Get(), receivers_.Get()}) actor->SetVisibility(true);
+  scene_.change([this, rays = std::move(rays), head = std::move(head), receivers = std::move(receivers)] {
+    setData(*rays_, toSegments(rays));
+    setData(*head_, toSegments(head));
+    setData(*receivers_, toPolyData(receivers, false));
+    for (vtkActor* actor : {rays_.Get(), head_.Get(), receivers_.Get()}) actor->SetVisibility(true);
+  });
 }
 
 }  // namespace vantage

@@ -22,6 +22,7 @@ class RangingRaysLayer {
   struct Drawing;
   void draw(const Drawing& drawing);
 
+  Scene& scene_;
   vtkSmartPointer<vtkActor> rays_;
   vtkSmartPointer<vtkActor> head_;
   vtkSmartPointer<vtkActor> receivers_;

@@ -122,7 +122,12 @@ double azimuthOf(const ScannerProfile& profile, const Pose& T_object_scanner) {
 }
 
 TurntableLayer::TurntableLayer(Scene& scene)
-    : disc_(makeActor()), lines_(makeActor()), labels_(makeActor()), current_(makeActor()), proposed_(makeActor()) {
+    : scene_(scene),
+      disc_(makeActor()),
+      lines_(makeActor()),
+      labels_(makeActor()),
+      current_(makeActor()),
+      proposed_(makeActor()) {
   scene.add(*disc_);
   scene.addLines(*lines_, 1.0);
   for (vtkActor* actor : {labels_.Get(), current_.Get(), proposed_.Get()}) scene.add(*actor);
@@ -139,31 +144,39 @@ std::vector<vtkActor*> TurntableLayer::actors() const {
 }
 
 void TurntableLayer::set(const ScannerProfile* profile) {
-  radius_ = profile != nullptr ? profile->viewingVolume.radius : 0.0;
-  if (radius_ <= 0.0) {
+  const double radius = profile != nullptr ? profile->viewingVolume.radius : 0.0;
+  if (radius == radius_) return;
+  radius_ = radius;
+  scene_.change([this, radius] {
     for (vtkActor* actor : actors()) setData(*actor, nullptr);
-    return;
-  }
-  setData(*disc_, toPolyData(disc(kRim * radius_), false));
-  setData(*lines_, toSegments(scaleLines(radius_)));
-  setData(*labels_, toPolyData(labels(radius_), false));
+    if (radius <= 0.0) return;
+    setData(*disc_, toPolyData(disc(kRim * radius), false));
+    setData(*lines_, toSegments(scaleLines(radius)));
+    setData(*labels_, toPolyData(labels(radius), false));
+  });
 }
 
 void TurntableLayer::mark(std::optional<double> current, std::optional<double> proposed) {
-  showArrow(*current_, radius_, current);
-  showArrow(*proposed_, radius_, proposed);
+  scene_.change([this, radius = radius_, current, proposed] {
+    showArrow(*current_, radius, current);
+    showArrow(*proposed_, radius, proposed);
+  });
 }
 
 void TurntableLayer::setVisible(bool visible) {
-  for (vtkActor* actor : actors()) actor->SetVisibility(visible);
+  scene_.change([this, visible] {
+    for (vtkActor* actor : actors()) actor->SetVisibility(visible);
+  });
 }
 
 void TurntableLayer::setTheme(const Theme& theme) {
-  setColour(*disc_, toRgb(theme.table));
-  setColour(*lines_, toRgb(theme.mutedText));
-  setColour(*labels_, toRgb(theme.text));
-  setColour(*current_, toRgb(theme.current));
-  setColour(*proposed_, toRgb(theme.proposed));
+  scene_.change([this, &theme] {
+    setColour(*disc_, toRgb(theme.table));
+    setColour(*lines_, toRgb(theme.mutedText));
+    setColour(*labels_, toRgb(theme.text));
+    setColour(*current_, toRgb(theme.current));
+    setColour(*proposed_, toRgb(theme.proposed));
+  });
 }
 
 }  // namespace vantage

@@ -22,6 +22,7 @@ class TurntableLayer {
  private:
   [[nodiscard]] std::vector<vtkActor*> actors() const;
 
+  Scene& scene_;
   vtkSmartPointer<vtkActor> disc_;
   vtkSmartPointer<vtkActor> lines_;
   vtkSmartPointer<vtkActor> labels_;

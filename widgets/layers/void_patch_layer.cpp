@@ -4,7 +4,6 @@
 #include <vtkPolyData.h>
 #include <vtkProperty.h>
 
-#include "planning/scanner_picture.h"
 #include "vtk/poly_data.h"
 
 namespace vantage {
@@ -21,9 +20,21 @@ std::vector<std::array<Vec3, 4>> corners(const std::vector<VoidPatch>& patches) 
   return quads;
 }
 
+vtkSmartPointer<vtkPolyData> colouredPatches(const Plan& plan, VoidColouring colouring) {
+  const std::vector<VoidPatch>& patches = plan.voids->patches;
+  std::vector<Rgb> colours;
+  colours.reserve(patches.size());
+  for (std::size_t p = 0; p < patches.size(); ++p) {
+    const bool byState = colouring == VoidColouring::State && p < plan.outlook.size();
+    colours.push_back(byState ? patchStateColour(patchState(plan.outlook[p], plan.outcome))
+                              : edgeClassColour(patches[p].edgeClass));
+  }
+  return withCellColours(*toQuads(corners(patches)), colours);
+}
+
 }  // namespace
 
-VoidPatchLayer::VoidPatchLayer(Scene& scene) : patches_(makeActor()), highlighted_(makeActor()) {
+VoidPatchLayer::VoidPatchLayer(Scene& scene) : scene_(scene), patches_(makeActor()), highlighted_(makeActor()) {
   scene.add(*patches_);
   scene.addLines(*highlighted_, kHighlightWidth);
   setInFront(*patches_, kPatchesInFront);
@@ -36,36 +47,25 @@ VoidPatchLayer::VoidPatchLayer(Scene& scene) : patches_(makeActor()), highlighte
 }
 
 void VoidPatchLayer::set(std::shared_ptr<const Plan> plan, VoidColouring colouring) {
-  if (plan != plan_) {
-    caster_.reset();
-    if (plan && plan->voids) caster_.emplace(patchMesh(*plan->voids));
-    setData(*highlighted_, nullptr);
-  }
+  if (plan == plan_ && colouring == colouring_) return;
+  if (plan != plan_) highlight({});
   plan_ = std::move(plan);
   colouring_ = colouring;
-  colour();
-}
-
-void VoidPatchLayer::colour() {
-  if (!plan_ || !plan_->voids) return setData(*patches_, nullptr);
-  const std::vector<VoidPatch>& patches = plan_->voids->patches;
-  std::vector<Rgb> colours;
-  colours.reserve(patches.size());
-  for (std::size_t p = 0; p < patches.size(); ++p) {
-    const bool byState = colouring_ == VoidColouring::State && p < plan_->outlook.size();
-    colours.push_back(byState ? patchStateColour(patchState(plan_->outlook[p], plan_->outcome))
-                              : edgeClassColour(patches[p].edgeClass));
-  }
-  setData(*patches_, withCellColours(*toQuads(corners(patches)), colours));
+  scene_.change([this, colouring, shown = plan_] {
+    setData(*patches_, shown && shown->voids ? colouredPatches(*shown, colouring).Get() : nullptr);
+  });
 }
 
 void VoidPatchLayer::setVisible(bool visible) {
-  patches_->SetVisibility(visible);
-  highlighted_->SetVisibility(visible);
+  visible_ = visible;
+  scene_.change([this, visible] {
+    patches_->SetVisibility(visible);
+    highlighted_->SetVisibility(visible);
+  });
 }
 
 void VoidPatchLayer::setTheme(const Theme& theme) {
-  setColour(*highlighted_, toRgb(theme.examined));
+  scene_.change([this, &theme] { setColour(*highlighted_, toRgb(theme.examined)); });
 }
 
 void VoidPatchLayer::highlight(const std::vector<std::uint32_t>& patches) {
@@ -77,14 +77,21 @@ void VoidPatchLayer::highlight(const std::vector<std::uint32_t>& patches) {
       for (std::size_t k = 0; k < 4; ++k) lines.push_back({c[k], c[(k + 1) % 4]});
     }
   }
-  setData(*highlighted_, lines.empty() ? nullptr : toSegments(lines).Get());
+  scene_.change(
+      [this, lines = std::move(lines)] { setData(*highlighted_, lines.empty() ? nullptr : toSegments(lines).Get()); });
 }
 
+// One after the other: that is quicker than a search tree would be made after every scan.
 std::optional<VoidPatchLayer::Pick> VoidPatchLayer::pick(const SightLine& line) const {
-  if (!caster_ || patches_->GetVisibility() == 0) return std::nullopt;
-  const auto hit = caster_->intersect(line.origin, line.direction);
-  if (!hit) return std::nullopt;
-  return Pick{hit->triangle / 2, hit->distance};
+  std::optional<Pick> nearest;
+  if (!plan_ || !plan_->voids || !visible_) return nearest;
+  const std::vector<VoidPatch>& patches = plan_->voids->patches;
+  for (std::size_t p = 0; p < patches.size(); ++p) {
+    const auto distance = distanceTo(patches[p].corners, line);
+    if (distance && (!nearest || *distance < nearest->distance))
+      nearest = Pick{static_cast<std::uint32_t>(p), *distance};
+  }
+  return nearest;
 }
 
 }  // namespace vantage

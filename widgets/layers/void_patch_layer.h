@@ -5,7 +5,6 @@
 #include <optional>
 #include <vector>
 
-#include "geometry/ray_caster.h"
 #include "layers/model_options.h"
 #include "planning/plan.h"
 #include "vtk/camera.h"
@@ -31,13 +30,12 @@ class VoidPatchLayer {
   [[nodiscard]] std::optional<Pick> pick(const SightLine& line) const;
 
  private:
-  void colour();
-
+  Scene& scene_;
   std::shared_ptr<const Plan> plan_;
   VoidColouring colouring_ = VoidColouring::EdgeClass;
-  std::optional<RayCaster> caster_;
   vtkSmartPointer<vtkActor> patches_;
   vtkSmartPointer<vtkActor> highlighted_;
+  bool visible_ = true;
 };
 
 }  // namespace vantage

@@ -7,9 +7,9 @@
 namespace vantage {
 namespace {
 
-QString text(const char* source) {
-  return QCoreApplication::translate("ModelView", source);
-}
+struct Text {
+  Q_DECLARE_TR_FUNCTIONS(ModelView)
+};
 
 const char* edgeClassText(EdgeClass edgeClass) {
   switch (edgeClass) {
@@ -50,12 +50,12 @@ const char* stateText(PatchState state) {
 }
 
 KeyLegend edgeClassLegend(const VoidSurface& voids) {
-  KeyLegend legend{text("Void by edge class"), {}};
+  KeyLegend legend{Text::tr("Void by edge class"), {}};
   for (std::size_t k = 0; k < kEdgeClasses; ++k) {
     const auto edgeClass = static_cast<EdgeClass>(k);
     if (voids.counts[k] == 0) continue;
     legend.entries.push_back({toColour(edgeClassColour(edgeClass)),
-                              QStringLiteral("%1  %2").arg(text(edgeClassText(edgeClass))).arg(voids.counts[k])});
+                              QStringLiteral("%1  %2").arg(Text::tr(edgeClassText(edgeClass))).arg(voids.counts[k])});
   }
   return legend;
 }
@@ -64,24 +64,24 @@ KeyLegend stateLegend(const Plan& plan) {
   std::array<std::size_t, kPatchStates> counts{};
   for (const PatchOutlook& outlook : plan.outlook)
     ++counts[static_cast<std::size_t>(patchState(outlook, plan.outcome))];
-  KeyLegend legend{text("Void by state"), {}};
+  KeyLegend legend{Text::tr("Void by state"), {}};
   for (std::size_t k = 0; k < kPatchStates; ++k) {
     const auto state = static_cast<PatchState>(k);
     if (counts[k] == 0) continue;
     legend.entries.push_back(
-        {toColour(patchStateColour(state)), QStringLiteral("%1  %2").arg(text(stateText(state))).arg(counts[k])});
+        {toColour(patchStateColour(state)), QStringLiteral("%1  %2").arg(Text::tr(stateText(state))).arg(counts[k])});
   }
   return legend;
 }
 
 KeyLegend viewLegend(const std::vector<View>& views) {
   constexpr std::size_t kMostEntries = 16;
-  KeyLegend legend{text("Surface by view"), {}};
+  KeyLegend legend{Text::tr("Surface by view"), {}};
   for (std::size_t v = 0; v < std::min(views.size(), kMostEntries); ++v)
     legend.entries.push_back(
-        {toColour(viewColour(v)), text("view %1, position %2").arg(v + 1).arg(views[v].image->position)});
+        {toColour(viewColour(v)), Text::tr("view %1, position %2").arg(v + 1).arg(views[v].image->position)});
   if (views.size() > kMostEntries)
-    legend.entries.push_back({Qt::transparent, text("and %1 more").arg(views.size() - kMostEntries)});
+    legend.entries.push_back({Qt::transparent, Text::tr("and %1 more").arg(views.size() - kMostEntries)});
   return legend;
 }
 
@@ -186,14 +186,14 @@ Overlay ModelScene::overlay() const {
   if (!snapshot_ || !snapshot_->state) return overlay;
   const auto& state = *snapshot_->state;
   if (state.views.empty()) {
-    overlay.notes << text("No view taken yet");
+    overlay.notes << Text::tr("No view taken yet");
     return overlay;
   }
-  overlay.notes << text("Model after %n view(s)").replace("%n", QString::number(state.views.size()));
+  overlay.notes << Text::tr("Model after %n view(s)", nullptr, static_cast<int>(state.views.size()));
   if (state.model)
-    overlay.notes << text("%1 triangles").arg(shortNumber(static_cast<double>(state.model->mesh.triangles.size())));
+    overlay.notes << Text::tr("%1 triangles").arg(shortNumber(static_cast<double>(state.model->mesh.triangles.size())));
   if (snapshot_->plan && snapshot_->plan->voids)
-    overlay.notes << text("%1 void patches, %2 mm²")
+    overlay.notes << Text::tr("%1 void patches, %2 mm²")
                          .arg(shortNumber(static_cast<double>(snapshot_->plan->voids->patches.size())),
                               shortNumber(areaOf(*snapshot_->plan->voids)));
   if (!options_.legends) return overlay;
@@ -203,19 +203,19 @@ Overlay ModelScene::overlay() const {
                                      : edgeClassLegend(*snapshot_->plan->voids));
   if (options_.surface && options_.colouring == ModelColouring::Confidence)
     overlay.legends.emplace_back(
-        ScaleLegend{text("Confidence"), text("cos of the angle"), 0.0, 1.0, ColourMap::Cividis});
+        ScaleLegend{Text::tr("Confidence"), Text::tr("cos of the angle"), 0.0, 1.0, ColourMap::Cividis});
   if (options_.surface && options_.colouring == ModelColouring::View)
     overlay.legends.emplace_back(viewLegend(state.views));
   if (options_.surface && options_.colouring == ModelColouring::Age)
-    overlay.legends.emplace_back(ScaleLegend{text("Surface by age"), text("view"), 1.0,
+    overlay.legends.emplace_back(ScaleLegend{Text::tr("Surface by age"), Text::tr("view"), 1.0,
                                              static_cast<double>(state.views.size()), ColourMap::Viridis});
-  KeyLegend rays{text("Ranging rays"), {}};
+  KeyLegend rays{Text::tr("Ranging rays"), {}};
   if (options_.currentRays)
-    rays.entries.push_back({theme_->current, text("last view, position %1").arg(snapshot_->current())});
+    rays.entries.push_back({theme_->current, Text::tr("last view, position %1").arg(snapshot_->current())});
   if (examined_)
-    rays.entries.push_back({theme_->examined, text("examined position %1").arg(*examined_)});
+    rays.entries.push_back({theme_->examined, Text::tr("examined position %1").arg(*examined_)});
   else if (options_.proposedRays && snapshot_->proposed() >= 0)
-    rays.entries.push_back({theme_->proposed, text("proposed view, position %1").arg(snapshot_->proposed())});
+    rays.entries.push_back({theme_->proposed, Text::tr("proposed view, position %1").arg(snapshot_->proposed())});
   if (!rays.entries.empty()) overlay.legends.emplace_back(rays);
   return overlay;
 }
@@ -223,7 +223,8 @@ Overlay ModelScene::overlay() const {
 std::optional<ModelScene::Pick> ModelScene::pick(const SightLine& line) const {
   const auto patch = voids_.pick(line);
   std::optional<RayHit> surface;
-  if (geometry_ && options_.surface) surface = geometry_->caster->intersect(line.origin, line.direction);
+  if (geometry_ && geometry_->caster && options_.surface)
+    surface = geometry_->caster->intersect(line.origin, line.direction);
   // Patches begin on the surface's border: in a draw they are what is meant.
   constexpr double kDraw = 0.5;
   if (patch && (!surface || patch->distance < surface->distance + kDraw))
@@ -234,7 +235,7 @@ std::optional<ModelScene::Pick> ModelScene::pick(const SightLine& line) const {
 
 QImage makePicture(Scene& scene, const Overlay& overlay, const Theme& theme, OffscreenWindow& window, const QSize& size,
                    double pixelRatio) {
-  QImage image = window.render(scene, size, pixelRatio);
+  QImage image = window.render(scene, scene.camera(), size, pixelRatio);
   QPainter painter(&image);
   paintOverlay(painter, QRectF(QPointF(), QSizeF(size) / pixelRatio), overlay, theme);
   return image;

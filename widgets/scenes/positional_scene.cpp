@@ -8,9 +8,9 @@
 namespace vantage {
 namespace {
 
-QString text(const char* source) {
-  return QCoreApplication::translate("PositionalSpace", source);
-}
+struct Text {
+  Q_DECLARE_TR_FUNCTIONS(PositionalSpace)
+};
 
 }  // namespace
 
@@ -81,21 +81,21 @@ Camera PositionalScene::camera(CameraPreset preset, double aspect) const {
 Overlay PositionalScene::overlay() const {
   Overlay overlay;
   if (!field_) {
-    overlay.notes << (snapshot_ && snapshot_->scannerImages ? text("No plan yet to show in positional space")
-                                                            : text("No positional space yet"));
+    overlay.notes << (snapshot_ && snapshot_->scannerImages ? Text::tr("No plan yet to show in positional space")
+                                                            : Text::tr("No positional space yet"));
     return overlay;
   }
   overlay.notes << field_->title;
   if (options_.direction)
-    overlay.notes << text("in directions %1° aside, %2° up, each ± %3°")
+    overlay.notes << Text::tr("in directions %1° aside, %2° up, each ± %3°")
                          .arg(QString::number(degrees(options_.direction->phi), 'f', 0),
                               QString::number(degrees(options_.direction->psi), 'f', 0),
                               QString::number(degrees(options_.direction->halfWidth), 'f', 1));
   else
-    overlay.notes << text("summed over all directions");
+    overlay.notes << Text::tr("summed over all directions");
   if (pointed_) overlay.notes << describeCell(*snapshot_, *field_, pointed_->row, pointed_->column);
   if (options_.legends)
-    overlay.legends.emplace_back(ScaleLegend{text("Per cell"), field_->unit, 0.0, field_->maximum, field_->map});
+    overlay.legends.emplace_back(ScaleLegend{Text::tr("Per cell"), field_->unit, 0.0, field_->maximum, field_->map});
   return overlay;
 }
 

@@ -33,16 +33,24 @@ void GeometryLoader::load(const std::shared_ptr<const Model>& model, const Show&
   if (ready) show(ready);
   if (complete) return;
   work_.start(
-      [model, show, ready, store = store_](const Progress& progress, const BackgroundWork::Deliver& deliver) {
-        auto geometry = ready ? ready : prepareModelGeometry(model, progress.part(0.0, 0.2));
-        if (!ready) {
-          store->keep(geometry);
+      [model, show, store = store_](const Progress& progress, const BackgroundWork::Deliver& deliver) {
+        const auto present = [&](const std::shared_ptr<const ModelGeometry>& geometry) {
           deliver([show, geometry] { show(geometry); });
+        };
+        const std::lock_guard turn(store->turn());
+        progress.checkpoint(0.0);
+        auto geometry = store->find(model);
+        if (!geometry) {
+          geometry = prepareSurface(model);
+          if (needsStandIn(*model)) present(geometry);
+          geometry = withPicking(geometry, progress.part(0.1, 0.3));
+          store->keep(geometry);
         }
-        const auto withCoarse = withStandIn(geometry, {}, progress.part(0.2, 1.0));
-        if (withCoarse == geometry) return;
-        store->keep(withCoarse);
-        deliver([show, withCoarse] { show(withCoarse); });
+        present(geometry);
+        if (geometry->coarse != nullptr || !needsStandIn(*model)) return;
+        geometry = withStandIn(geometry, {}, progress.part(0.3, 1.0));
+        store->keep(geometry);
+        present(geometry);
       },
       failed);
 }

@@ -9,14 +9,17 @@
 
 namespace vantage {
 
-/// Models made ready to be drawn, as long as somebody uses them: views that show the same model share it. May be used
-/// from any thread.
+/// Models made ready to be drawn and picked, as long as somebody uses them: views that show the same model share it.
+/// May be used from any thread.
 class GeometryStore {
  public:
   [[nodiscard]] std::shared_ptr<const ModelGeometry> find(const std::shared_ptr<const Model>& model);
   void keep(const std::shared_ptr<const ModelGeometry>& geometry);
+  /// To be held while a model is made ready: of views that show the same model one does it, the others find it then.
+  [[nodiscard]] std::mutex& turn() { return turn_; }
 
  private:
+  std::mutex turn_;
   std::mutex mutex_;
   std::vector<std::weak_ptr<const ModelGeometry>> geometries_;
 };
@@ -28,8 +31,8 @@ class GeometryLoader {
 
   explicit GeometryLoader(std::shared_ptr<GeometryStore> store);
 
-  /// Calls `show` when the model is ready, at once where it is already, and for a large model again when its stand-in
-  /// is. @param model null shows nothing
+  /// Calls `show` when the model is ready, at once where it is already. A large model is shown as soon as it can be
+  /// drawn, again when it can be picked, and again when it has its stand-in. @param model null shows nothing
   void load(const std::shared_ptr<const Model>& model, const Show& show, const BackgroundWork::Failed& failed);
   void finish() { work_.finish(); }
 

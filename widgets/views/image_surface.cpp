@@ -19,17 +19,21 @@ class ImageWidget final : public QWidget {
     image_ = QImage();
     update();
   }
+  [[nodiscard]] QImage picture(const Camera& camera) {
+    return pixels().isEmpty() ? QImage() : window_->render(scene_, camera, pixels(), devicePixelRatioF());
+  }
 
  protected:
   void paintEvent(QPaintEvent*) override {
-    const QSize pixels = (QSizeF(size()) * devicePixelRatioF()).toSize();
-    if (pixels.isEmpty()) return;
-    if (image_.size() != pixels || image_.devicePixelRatio() != devicePixelRatioF())
-      image_ = window_->render(scene_, pixels, devicePixelRatioF());
+    if (pixels().isEmpty()) return;
+    if (image_.size() != pixels() || image_.devicePixelRatio() != devicePixelRatioF())
+      image_ = picture(scene_.camera());
     QPainter(this).drawImage(QPointF(), image_);
   }
 
  private:
+  [[nodiscard]] QSize pixels() const { return (QSizeF(size()) * devicePixelRatioF()).toSize(); }
+
   Scene& scene_;
   std::unique_ptr<OffscreenWindow> window_;
   QImage image_;
@@ -45,6 +49,7 @@ class ImageSurface final : public RenderSurface {
 
   QWidget& widget() override { return *widget_; }
   void update() override { widget_->draw(); }
+  void takePicture(const Camera& camera, const Taken& taken) override { taken(widget_->picture(camera)); }
 
  private:
   ImageWidget* widget_;

@@ -69,8 +69,8 @@ void ModelView::setTheme(const Theme& theme) {
   refresh();
 }
 
-void ModelView::lookFrom(CameraPreset preset) {
-  setCamera(scene_->camera(preset, width() / std::max(1.0, static_cast<double>(height()))));
+Camera ModelView::cameraFor(CameraPreset preset, double aspect) const {
+  return scene_->camera(preset, aspect);
 }
 
 void ModelView::finishLoading() {

@@ -35,7 +35,6 @@ class ModelView final : public SceneView {
   /// Patches that are lit up.
   void highlight(const std::vector<std::uint32_t>& patches);
   void setTheme(const Theme& theme) override;
-  void lookFrom(CameraPreset preset) override;
 
   /// Waits until the model is ready and shown. For tests and pictures.
   void finishLoading();
@@ -47,6 +46,7 @@ class ModelView final : public SceneView {
   void loadingChanged(bool loading);
 
  protected:
+  [[nodiscard]] Camera cameraFor(CameraPreset preset, double aspect) const override;
   void picked(const SightLine& line) override;
   void hovered(const SightLine& line) override;
   void hoverLeft() override;

@@ -70,8 +70,8 @@ void PositionalSpaceView::setTheme(const Theme& theme) {
   SceneView::setTheme(theme);
 }
 
-void PositionalSpaceView::lookFrom(CameraPreset preset) {
-  setCamera(scene_->camera(preset, width() / std::max(1.0, static_cast<double>(height()))));
+Camera PositionalSpaceView::cameraFor(CameraPreset preset, double aspect) const {
+  return scene_->camera(preset, aspect);
 }
 
 void PositionalSpaceView::finishLoading() {

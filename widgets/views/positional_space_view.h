@@ -30,7 +30,6 @@ class PositionalSpaceView final : public SceneView {
   /// Cells of the surface that are outlined, row * columns + column.
   void highlightCells(const std::vector<std::uint32_t>& cells);
   void setTheme(const Theme& theme) override;
-  void lookFrom(CameraPreset preset) override;
   /// The cell pointed at, also from another view; -1, -1 for none.
   void pointAt(int row, int column);
   void finishLoading();
@@ -40,6 +39,7 @@ class PositionalSpaceView final : public SceneView {
   void cellPicked(int row, int column);
 
  protected:
+  [[nodiscard]] Camera cameraFor(CameraPreset preset, double aspect) const override;
   void picked(const SightLine& line) override;
   void hovered(const SightLine& line) override;
   void hoverLeft() override;

@@ -5,7 +5,9 @@
 #include <QPainter>
 #include <QTimerEvent>
 #include <QWheelEvent>
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace vantage {
 namespace {
@@ -34,6 +36,13 @@ class SceneView::OverlayWidget final : public QWidget {
   void setTheme(const Theme& theme) {
     theme_ = &theme;
     update();
+  }
+  void writeOn(QImage& picture) const {
+    if (picture.isNull()) return;
+    // Paint blends alike on pictures of any surface.
+    picture.convertTo(QImage::Format_RGB32);
+    QPainter painter(&picture);
+    paintOverlay(painter, QRectF(QPointF(), picture.deviceIndependentSize()), overlay_, *theme_);
   }
 
  protected:
@@ -84,6 +93,25 @@ void SceneView::setCamera(const Camera& camera) {
   scene_->setCamera(camera);
   redraw();
   emit cameraChanged();
+}
+
+double SceneView::aspect() const {
+  return width() / std::max(1.0, static_cast<double>(height()));
+}
+
+void SceneView::lookFrom(CameraPreset preset) {
+  setCamera(cameraFor(preset, aspect()));
+}
+
+void SceneView::takePictures(const std::vector<CameraPreset>& presets, const Taken& taken) {
+  const auto pictures = std::make_shared<std::vector<QImage>>();
+  for (const CameraPreset preset : presets)
+    surface_->takePicture(cameraFor(preset, aspect()),
+                          [this, pictures, taken, wanted = presets.size()](QImage picture) {
+                            overlay_->writeOn(picture);
+                            pictures->push_back(std::move(picture));
+                            if (pictures->size() == wanted) taken(*pictures);
+                          });
 }
 
 void SceneView::setOverlay(Overlay overlay) {

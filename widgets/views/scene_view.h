@@ -1,7 +1,9 @@
 #pragma once
 
 #include <QWidget>
+#include <functional>
 #include <memory>
+#include <vector>
 
 #include "look/legend.h"
 #include "look/theme.h"
@@ -22,9 +24,14 @@ class SceneView : public QWidget {
   void setNavigation(NavigationScheme scheme) { navigation_ = scheme; }
   [[nodiscard]] NavigationScheme navigation() const { return navigation_; }
   virtual void setTheme(const Theme& theme);
-  virtual void lookFrom(CameraPreset preset) = 0;
+  void lookFrom(CameraPreset preset);
   [[nodiscard]] const Camera& camera() const;
   void setCamera(const Camera& camera);
+
+  using Taken = std::function<void(const std::vector<QImage>& pictures)>;
+  /// Takes pictures from some sides with what is written over them; the camera stays where it is. They are handed over
+  /// when all are there, at once or later, but not when the view is gone by then. One that cannot be drawn is null.
+  void takePictures(const std::vector<CameraPreset>& presets, const Taken& taken);
 
   [[nodiscard]] QSize sizeHint() const override { return {640, 480}; }
   [[nodiscard]] QSize minimumSizeHint() const override { return {160, 120}; }
@@ -40,6 +47,7 @@ class SceneView : public QWidget {
   void redraw();
   [[nodiscard]] const Theme& theme() const { return *theme_; }
 
+  [[nodiscard]] virtual Camera cameraFor(CameraPreset preset, double aspect) const = 0;
   virtual void picked(const SightLine& line) = 0;
   virtual void hovered(const SightLine& line) = 0;
   virtual void hoverLeft() = 0;
@@ -60,6 +68,7 @@ class SceneView : public QWidget {
   class OverlayWidget;
 
   [[nodiscard]] SightLine lineAt(const QPointF& point) const;
+  [[nodiscard]] double aspect() const;
   void beginMoving();
   void endMoving();
   void apply(const Camera& camera);

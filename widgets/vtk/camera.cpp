@@ -20,6 +20,18 @@ SightLine sightLine(const Camera& camera, const QPointF& point, const QSizeF& si
   return {camera.eye, (forward + x * right + y * right.cross(forward)).normalized()};
 }
 
+std::optional<double> distanceTo(const std::array<Vec3, 4>& quad, const SightLine& line) {
+  const Vec3 normal = (quad[2] - quad[0]).cross(quad[3] - quad[1]);
+  const double slope = normal.dot(line.direction);
+  if (slope == 0.0) return std::nullopt;
+  const double distance = normal.dot(quad[0] - line.origin) / slope;
+  if (distance < 0.0) return std::nullopt;
+  const Vec3 point = line.origin + distance * line.direction;
+  for (std::size_t k = 0; k < 4; ++k)
+    if (normal.dot((quad[(k + 1) % 4] - quad[k]).cross(point - quad[k])) < 0.0) return std::nullopt;
+  return distance;
+}
+
 Camera cameraToward(const Vec3& forward, const BoundingBox& box, double aspect) {
   Camera camera;
   const Vec3 f = forward.normalized();

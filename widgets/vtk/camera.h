@@ -2,7 +2,9 @@
 
 #include <QPointF>
 #include <QSizeF>
+#include <array>
 #include <cstdint>
+#include <optional>
 
 #include "geometry/measures.h"
 #include "geometry/vectors.h"
@@ -37,6 +39,9 @@ struct SightLine {
 
 /// The line under a point of a picture; y runs down from the top edge.
 [[nodiscard]] SightLine sightLine(const Camera& camera, const QPointF& point, const QSizeF& size);
+
+/// How far along a line a flat convex quad is met, from either side; nothing when it is missed.
+[[nodiscard]] std::optional<double> distanceTo(const std::array<Vec3, 4>& quad, const SightLine& line);
 
 /// A camera that has a box in sight from a direction, for pictures of that shape (width / height).
 /// @param forward from the eye into the scene, need not be unit.

@@ -128,8 +128,11 @@ vtkSmartPointer<vtkActor> makeActor() {
 }
 
 void setData(vtkActor& actor, vtkPolyData* data) {
+  auto& mapper = *static_cast<vtkPolyDataMapper*>(actor.GetMapper());
+  // What stays is not sent to the graphics card again.
+  if (data != nullptr && mapper.GetNumberOfInputConnections(0) > 0 && mapper.GetInput() == data) return;
   const vtkSmartPointer<vtkPolyData> shown = data != nullptr ? data : vtkSmartPointer<vtkPolyData>::New().Get();
-  static_cast<vtkPolyDataMapper*>(actor.GetMapper())->SetInputData(shown);
+  mapper.SetInputData(shown);
   // An actor without cells has no bounds and must not take part in fitting.
   actor.SetUseBounds(shown->GetNumberOfCells() > 0);
 }

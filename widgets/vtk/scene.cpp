@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 // Without it VTK makes renderers and mappers that draw nothing.
 VTK_MODULE_INIT(vtkRenderingOpenGL2)
@@ -32,14 +33,13 @@ void addLight(vtkRenderer& renderer, const std::array<double, 3>& position, doub
 
 }  // namespace
 
-Scene::Scene() : renderer_(vtkSmartPointer<vtkRenderer>::New()) {
+Scene::Scene() : renderer_(vtkSmartPointer<vtkRenderer>::New()), theme_(&lightTheme()) {
   renderer_->SetAutomaticLightCreation(false);
   addLight(*renderer_, {-0.4, 0.6, 1.0}, 0.85);
   addLight(*renderer_, {0.9, -0.2, 0.6}, 0.3);
   renderer_->SetGradientBackground(true);
   renderer_->SetUseFXAA(true);
   setTheme(lightTheme());
-  setCamera(camera_);
 }
 
 Scene::~Scene() = default;
@@ -57,25 +57,46 @@ void Scene::addLines(vtkActor& actor, double width) {
   add(actor);
 }
 
+void Scene::change(Change change) {
+  if (!deferred_) return change();
+  const std::lock_guard lock(mutex_);
+  waiting_.push_back(std::move(change));
+}
+
+void Scene::deferChanges(bool defer) {
+  deferred_ = defer;
+  if (!defer) carryOutChanges();
+}
+
+// Taken out first: nobody waits for the lock while they are carried out.
+void Scene::carryOutChanges() {
+  std::vector<Change> changes;
+  {
+    const std::lock_guard lock(mutex_);
+    changes.swap(waiting_);
+  }
+  for (const Change& change : changes) change();
+}
+
 void Scene::setMoving(bool moving) {
-  renderer_->SetUseFXAA(!moving);
+  change([this, moving] { renderer_->SetUseFXAA(!moving); });
 }
 
 void Scene::setTheme(const Theme& theme) {
-  renderer_->SetBackground(components(theme.backgroundBottom).data());
-  renderer_->SetBackground2(components(theme.backgroundTop).data());
+  theme_ = &theme;
+  change([this, &theme] {
+    renderer_->SetBackground(components(theme.backgroundBottom).data());
+    renderer_->SetBackground2(components(theme.backgroundTop).data());
+  });
 }
 
-void Scene::setCamera(const Camera& camera) {
-  camera_ = camera;
+void Scene::prepare(const Camera& camera, double pixelRatio) {
+  carryOutChanges();
   vtkCamera& shown = *renderer_->GetActiveCamera();
   shown.SetPosition(camera.eye.data());
   shown.SetFocalPoint(camera.target.data());
   shown.SetViewUp(camera.up.data());
   shown.SetViewAngle(degrees(camera.viewAngle));
-}
-
-void Scene::prepare(double pixelRatio) {
   for (const Line& line : lines_) line.actor->GetProperty()->SetLineWidth(static_cast<float>(line.width * pixelRatio));
   renderer_->ResetCameraClippingRange();
 }
