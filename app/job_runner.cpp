@@ -18,7 +18,7 @@ namespace {
 constexpr int kReportInterval = 50;  // [ms]
 constexpr int kMaxThreads = 256;
 // Threads that a job starts inherit this, so that the window stays quick when every processor is busy.
-constexpr int kJobNiceness = 5;
+constexpr int kJobNiceness = 15;
 
 }  // namespace
 

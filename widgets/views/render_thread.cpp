@@ -11,7 +11,7 @@ namespace vantage {
 namespace {
 
 // Less urgent than the window, which must answer, and more than the jobs, which nobody sees.
-constexpr int kNiceness = 2;
+constexpr int kNiceness = 5;
 
 }  // namespace
 
