@@ -91,7 +91,7 @@ void SessionViews::refresh() {
   model_->setNotice(
       controller_.showsNow()
           ? QString()
-          : tr("This is the session as it was after %1 views. Back to now").arg(state ? state->views.size() : 0));
+          : tr("This is the session as it was after view %1. Back to now").arg(state ? state->views.size() : 0));
   requestImages();
   examine(positionToExplain(*snapshot_));
   if (snapshot_->proposed() < 0) model_->view().examine(std::nullopt);

@@ -104,7 +104,7 @@ QString figureText(double value, int decimals) {
 
 QString areaText(double squareMillimetres) {
   const double size = std::abs(squareMillimetres);
-  return figureText(squareMillimetres, size > 0.0 && size < 100.0 ? 1 : 0) + QStringLiteral(" mm²");
+  return figureText(squareMillimetres, size > 0.0 && size < 100.0 ? 1 : 0) + QChar(QChar::Nbsp) + QStringLiteral("mm²");
 }
 
 QString angleText(double radians) {

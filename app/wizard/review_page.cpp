@@ -99,9 +99,14 @@ void ReviewPage::refresh() {
 void ReviewPage::refreshLeft(const AcquisitionState& state) {
   const auto plan = currentPlan(state);
   if (!plan || !plan->voids || plan->outlook.size() != plan->voids->patches.size()) return;
-  const std::array<QString, kEdgeReasons> texts{tr("No ray reaches it"),         tr("Too steep from everywhere"),
-                                                tr("Light always blocked"),      tr("Receiver always blocked"),
-                                                tr("Too little to be worth it"), tr("Looked at, no surface")};
+  // The reasons are only looked for once nothing is worth a scan any more.
+  const bool goesOn = plan->outcome == PlanOutcome::Found;
+  const std::array<QString, kEdgeReasons> texts{tr("No ray reaches it"),
+                                                tr("Too steep from everywhere"),
+                                                tr("Light always blocked"),
+                                                tr("Receiver always blocked"),
+                                                goesOn ? tr("Not scanned yet") : tr("Too little to be worth it"),
+                                                tr("Looked at, no surface")};
   std::array<double, kEdgeReasons> lengths{};
   std::array<int, kEdgeReasons> edges{};
   for (std::size_t p = 0; p < plan->outlook.size(); ++p) {

@@ -106,7 +106,7 @@ std::string_view sentence(Termination termination) {
   return "";
 }
 
-std::string_view sentence(EdgeReason reason) {
+std::string_view sentence(EdgeReason reason, PlanOutcome outcome) {
   switch (reason) {
     case EdgeReason::OutOfReach:
       return "No ranging ray of any position reaches it.";
@@ -117,7 +117,8 @@ std::string_view sentence(EdgeReason reason) {
     case EdgeReason::ReceiverBlocked:
       return "Light reaches it, but the object hides it from every receiver.";
     case EdgeReason::BelowThreshold:
-      return "It could be seen, but one view would add less than the threshold.";
+      return outcome == PlanOutcome::Found ? "Not scanned yet: a view would still have shown more."
+                                           : "It could be seen, but one view would add less than the threshold.";
     case EdgeReason::Answered:
       return "Views looked at it and found no surface there.";
   }
@@ -221,7 +222,7 @@ std::string remainingHtml(const AcquisitionState& state) {
   std::string html = "<h2>What is left, and why</h2>\n<table>" + row({"Reason", "Edges", "Length [mm]"}, "th");
   for (int reason = 0; reason < kEdgeReasons; ++reason)
     if (edges[reason] > 0)
-      html += row({std::string(sentence(static_cast<EdgeReason>(reason))), std::to_string(edges[reason]),
+      html += row({std::string(sentence(static_cast<EdgeReason>(reason), plan.outcome)), std::to_string(edges[reason]),
                    figure(lengths[reason], 0)});
   return html + "</table>\n";
 }

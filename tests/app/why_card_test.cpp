@@ -51,26 +51,26 @@ TEST(WhyCard, SaysWhatTheChosenPositionWinsAndWhatRegistrationWillBeWorth) {
   const WhyCard card = cardOf(1);
   EXPECT_EQ(card.title, "Position 1");
   EXPECT_TRUE(card.verdict.startsWith("Chosen"));
-  EXPECT_EQ(find(card.figures, "o_v")->value, "620 mm²");
-  EXPECT_EQ(find(card.figures, "by positional space")->value, "600 mm²");
-  EXPECT_EQ(find(card.figures, "o_s")->value, "800 mm²");
+  EXPECT_EQ(find(card.figures, "o_v")->value, "620\u00a0mm²");
+  EXPECT_EQ(find(card.figures, "by positional space")->value, "600\u00a0mm²");
+  EXPECT_EQ(find(card.figures, "o_s")->value, "800\u00a0mm²");
   EXPECT_EQ(find(card.figures, "Registration error")->value, "0.012 mm");
   EXPECT_TRUE(find(card.figures, "Registration error")->remark.contains("turns about z"));
   EXPECT_EQ(find(card.figures, "patches")->value, "2");
   EXPECT_EQ(find(card.figures, "patches")->remark, "1 outer jumps, 1 rim");
-  EXPECT_EQ(card.comparison, "The runner-up, position 2, shows 170 mm² less and overlaps 200 mm² more.");
+  EXPECT_EQ(card.comparison, "The runner-up, position 2, shows 170\u00a0mm² less and overlaps 200\u00a0mm² more.");
 }
 
 TEST(WhyCard, NamesTheConstraintThatBindsAndByHowMuch) {
   const WhyCard card = cardOf(0);
   EXPECT_TRUE(card.verdict.contains("overlap"));
-  EXPECT_TRUE(card.verdict.contains("short by 50.0 mm²"));
-  EXPECT_TRUE(find(card.figures, "o_s")->remark.contains("t = 200 mm²"));
-  EXPECT_EQ(card.comparison, "The chosen position 1 shows 280 mm² less and overlaps 650 mm² more.");
+  EXPECT_TRUE(card.verdict.contains("short by 50.0\u00a0mm²"));
+  EXPECT_TRUE(find(card.figures, "o_s")->remark.contains("t = 200\u00a0mm²"));
+  EXPECT_EQ(card.comparison, "The chosen position 1 shows 280\u00a0mm² less and overlaps 650\u00a0mm² more.");
 }
 
 TEST(WhyCard, ComparesAnAllowedPositionWithTheChoice) {
-  EXPECT_EQ(cardOf(2).comparison, "The chosen position 1 shows 170 mm² more and overlaps 200 mm² less.");
+  EXPECT_EQ(cardOf(2).comparison, "The chosen position 1 shows 170\u00a0mm² more and overlaps 200\u00a0mm² less.");
 }
 
 TEST(WhyCard, AddsWhatKeepsPatchesFromSightOnceItIsComputed) {
@@ -82,7 +82,7 @@ TEST(WhyCard, AddsWhatKeepsPatchesFromSightOnceItIsComputed) {
   const WhyCard card = makeWhyCard({explain(*plan, 2), plan, sight, nullptr});
   const WhyFigure* light = find(card.sights, "light blocked");
   ASSERT_NE(light, nullptr);
-  EXPECT_EQ(light->value, "12.5 mm²");
+  EXPECT_EQ(light->value, "12.5\u00a0mm²");
   EXPECT_TRUE(light->remark.contains("triangle 77"));
   EXPECT_EQ(card.sights.size(), kVisibilities);
 }

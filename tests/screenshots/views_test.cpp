@@ -82,7 +82,7 @@ class Views : public ::testing::TestWithParam<std::string> {
 TEST_P(Views, ModelPlainWithVoidByEdgeClass) {
   const QImage image = model(mugUnderWay(), {});
   EXPECT_TRUE(isNotBlank(image));
-  expectTitle(image, "Model after 3 view(s)");
+  expectTitle(image, "Model after 3 views");
   expectLegend(image, "Void by edge class", true);
   EXPECT_TRUE(showsColour(image, theme().boundary, 0.0005, 40));
   EXPECT_TRUE(matchesBaseline(image, named("model_plain")));

@@ -91,6 +91,10 @@ void paintFoot(QPainter& painter, const QRectF& area, const ObjectiveChartData& 
   }
 }
 
+// Around the dial stand the markers, and beyond them the angles [px].
+constexpr double kLabelDistance = 22.0;
+constexpr double kMarkRoom = 30.0;
+
 // The dial. o_v grows outward from a ring, o_s from the ring inward.
 struct Dial {
   QPointF centre;
@@ -101,7 +105,7 @@ struct Dial {
   explicit Dial(const QRectF& area) {
     const QRectF room = area.adjusted(0.0, kTitle + 18.0, 0.0, -kLegendHeight);
     centre = room.center();
-    outer = std::max(20.0, std::min(0.5 * room.width() - 40.0, 0.5 * room.height() - 22.0));
+    outer = std::max(20.0, std::min(0.5 * room.width() - kMarkRoom - 12.0, 0.5 * room.height() - kMarkRoom));
     ring = 0.58 * outer;
     inner = 0.16 * outer;
   }
@@ -156,7 +160,7 @@ void paintDial(QPainter& painter, const QRectF& area, const ObjectiveChartData& 
   paintCircle(painter, dial, dial.voidRadius(share(data.terminationThreshold, mostVoid(data))), dashed);
   paintCircle(painter, dial, dial.overlapRadius(share(data.leastOverlap, mostOverlap(data))), dashed);
   for (int degree = 0; degree < 360; degree += 90)
-    paintText(painter, dial.at(dial.outer + 15.0, radians(degree)), Qt::AlignHCenter | Qt::AlignVCenter,
+    paintText(painter, dial.at(dial.outer + kLabelDistance, radians(degree)), Qt::AlignHCenter | Qt::AlignVCenter,
               QString::number(degree) + QChar(0x00B0), theme.mutedText);
   const auto mark = [&](int position, const QColor& colour) {
     if (position >= 0 && position < static_cast<int>(data.positions.size()))

@@ -189,7 +189,8 @@ Overlay ModelScene::overlay() const {
     overlay.notes << Text::tr("No view taken yet");
     return overlay;
   }
-  overlay.notes << Text::tr("Model after %n view(s)", nullptr, static_cast<int>(state.views.size()));
+  overlay.notes << (state.views.size() == 1 ? Text::tr("Model after 1 view")
+                                            : Text::tr("Model after %1 views").arg(state.views.size()));
   if (state.model)
     overlay.notes << Text::tr("%1 triangles").arg(shortNumber(static_cast<double>(state.model->mesh.triangles.size())));
   if (snapshot_->plan && snapshot_->plan->voids)
