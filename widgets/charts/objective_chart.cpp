@@ -63,7 +63,11 @@ void paintHead(QPainter& painter, const QRectF& area, const ObjectiveChartData& 
                        (p.taken     ? Text::tr(", taken")
                         : p.allowed ? QString()
                                     : Text::tr(", ruled out"));
-  paintText(painter, {area.left() + 9.0, area.top() + 26.0}, Qt::AlignLeft | Qt::AlignTop, line, theme.mutedText, 12.0);
+  constexpr double kPixels = 12.0;
+  const double needed = QFontMetricsF(pictureFont(kPixels)).horizontalAdvance(line);
+  const double pixels = kPixels * std::min(1.0, (area.width() - 20.0) / needed);
+  paintText(painter, {area.left() + 9.0, area.top() + 26.0}, Qt::AlignLeft | Qt::AlignTop, line, theme.mutedText,
+            pixels);
 }
 
 // What the colours and lines stand for, along the lower border.
