@@ -76,21 +76,22 @@ expect 0 "session" "$cli" info "$work/stopped/session.vantage"
 
 # Killed: the run goes on to the same bytes, with the object's file gone. Nobody may open the session meanwhile.
 cp "$mug" "$work/mug.ply"
-"$cli" acquire --object "$work/mug.ply" --scanner "$scanner" --out "$work/whole" --max-views 3 >/dev/null 2>&1
-"$cli" acquire --object "$work/mug.ply" --scanner "$scanner" --out "$work/killed" --max-views 3 >"$work/log" 2>&1 &
+"$cli" acquire --object "$work/mug.ply" --scanner "$scanner" --out "$work/whole" --max-views 5 >/dev/null 2>&1
+"$cli" acquire --object "$work/mug.ply" --scanner "$scanner" --out "$work/killed" --max-views 5 >"$work/log" 2>&1 &
 pid=$!
-for _ in $(seq 200); do
+for _ in $(seq 1000); do
   grep -q "^view 1" "$work/log" && break
-  sleep 0.1
+  sleep 0.02
 done
+kill -STOP $pid # it would go on, and be done, while the others look at its session
 expect 1 "vantage-cli (process $pid" "$cli" resume "$work/killed/session.vantage"
 expect 0 "running" "$cli" info "$work/killed/session.vantage"
 kill -KILL $pid
 wait $pid 2>/dev/null
 rm "$work/mug.ply"
-expect 0 "3 views" "$cli" resume "$work/killed/session.vantage"
+expect 0 "5 views" "$cli" resume "$work/killed/session.vantage"
 cmp "$work/whole/model.ply" "$work/killed/model.ply" || failures=$((failures + 1))
-expect 0 "3 views" "$cli" resume "$work/killed/session.vantage" --out "$work/again"
+expect 0 "5 views" "$cli" resume "$work/killed/session.vantage" --out "$work/again"
 cmp "$work/whole/model.ply" "$work/again/model.ply" || failures=$((failures + 1))
 expect 1 "no such file" "$cli" resume "$work/nothing.vantage"
 
