@@ -10,7 +10,7 @@ void traceVoid(PositionScore& score, const Pose& T_object_scanner, std::span<con
   score.patches.clear();
   for (std::size_t p = 0; p < patches.size(); ++p) {
     if (history.answered(p)) continue;
-    const Sight s = sight.look(T_object_scanner, patches[p].centre, patches[p].normal);
+    const Sight s = lookAt(sight, T_object_scanner, patches[p], breakdownAngle);
     const double promised = patchPromise(patches[p], p, history, s, breakdownAngle);
     if (promised <= 0.0) continue;
     sum += promised;

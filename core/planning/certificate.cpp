@@ -47,7 +47,7 @@ std::vector<PatchOutlook> certify(std::span<const VoidPatch> patches, const Patc
       if (positions.empty()) continue;
       Visibility best = Visibility::OutOfReach;
       for (const Pose& pose : positions) {
-        const Sight s = sight.look(pose, patches[p].centre, patches[p].normal);
+        const Sight s = lookAt(sight, pose, patches[p], breakdownAngle);
         best = std::max(best, s.visibility);
         outlook[p].promise = std::max(outlook[p].promise, patchPromise(patches[p], p, history, s, breakdownAngle));
       }

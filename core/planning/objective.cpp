@@ -34,13 +34,33 @@ void forEachContribution(std::span<const VoidPatch> patches, const PatchHistory&
   }
 }
 
+// Forgets the sightings of each patch beyond its own widest look.
+void narrow(PositionalImage& image, std::span<const VoidPatch> patches, double breakdownAngle) {
+  std::size_t kept = 0;
+  for (std::size_t p = 0; p < patches.size(); ++p) {
+    const auto sightings = image.sightingsOf(p);
+    const double minCosine = std::cos(widestLook(patches[p], breakdownAngle));
+    image.sightingStart[p] = kept;
+    for (const Sighting& sighting : sightings)
+      if (static_cast<double>(sighting.confidence) >= minCosine) image.sightings[kept++] = sighting;
+  }
+  image.sightingStart[patches.size()] = kept;
+  image.sightings.resize(kept);
+}
+
 PositionalImage sightingsOf(std::span<const VoidPatch> patches, const PatchHistory& history, const RayCaster& obstacles,
                             const ScannerImages& images, const ObjectiveOptions& options, const Progress& progress) {
   std::vector<ObservationSource> sources;
   sources.reserve(patches.size());
   for (std::size_t p = 0; p < patches.size(); ++p)
     sources.push_back({patches[p].centre, patches[p].normal, history.answered(p) ? 0.0 : patches[p].weight});
-  return accumulate(sources, obstacles, images, options.breakdownAngle, accumulation(options, true), progress);
+  if (!options.lookAhead)
+    return accumulate(sources, obstacles, images, options.breakdownAngle, accumulation(options, true), progress);
+  double widest = options.breakdownAngle;
+  for (const VoidPatch& patch : patches) widest = std::max(widest, widestLook(patch, options.breakdownAngle));
+  PositionalImage image = accumulate(sources, obstacles, images, widest, accumulation(options, true), progress);
+  narrow(image, patches, options.breakdownAngle);
+  return image;
 }
 
 // Triangles sampled with less confidence than u: c(T) is the least of their vertices.

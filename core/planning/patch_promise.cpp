@@ -4,6 +4,22 @@
 #include <cmath>
 
 namespace vantage {
+namespace {
+
+// Nearer to the plane of an opening a view hardly looks through it [rad].
+constexpr double kOpeningAngle = radians(85.0);
+
+}  // namespace
+
+double widestLook(const VoidPatch& patch, double breakdownAngle) {
+  return patch.edgeClass == EdgeClass::Regular ? breakdownAngle : std::max(breakdownAngle, kOpeningAngle);
+}
+
+Sight lookAt(const SightTest& sight, const Pose& T_object_scanner, const VoidPatch& patch,
+             std::optional<double> breakdownAngle) {
+  if (!breakdownAngle) return sight.look(T_object_scanner, patch.centre, patch.normal);
+  return sight.look(T_object_scanner, patch.centre, patch.normal, widestLook(patch, *breakdownAngle));
+}
 
 double lookAhead(const VoidPatch& patch, const Vec3& direction, double breakdownAngle) {
   const Vec3 beyond = (patch.corners[2] + patch.corners[3] - patch.corners[0] - patch.corners[1]).normalized();

@@ -8,6 +8,17 @@
 
 namespace vantage {
 
+/// The largest angle between a patch's normal and a view that looks through it [rad]. The patch of a regular edge
+/// continues the surface, and the breakdown angle holds for it. Where a jump in range tore the surface, or the border
+/// of what the scanner samples, the patch is an opening into the unseen: what stands behind it may face anywhere, so
+/// only views along the patch see nothing of it.
+[[nodiscard]] double widestLook(const VoidPatch& patch, double breakdownAngle);
+
+/// Looks at a patch up to `widestLook`.
+/// @param breakdownAngle unset: up to the breakdown angle of `sight`, the objective of the paper.
+[[nodiscard]] Sight lookAt(const SightTest& sight, const Pose& T_object_scanner, const VoidPatch& patch,
+                           std::optional<double> breakdownAngle);
+
 /// How much unseen surface stands behind a void patch, seen from one direction.
 ///
 /// A patch is the front of an unseen region. If the surface curves away from the viewer beyond the edge, a view that

@@ -3,6 +3,7 @@
 #include "base/errors.h"
 #include "base/parallel.h"
 #include "geometry/ray_caster.h"
+#include "planning/patch_promise.h"
 
 namespace vantage {
 namespace {
@@ -23,7 +24,7 @@ class Looking {
         sight_(profile, obstacles_, options_) {}
 
   [[nodiscard]] PatchSight at(const VoidPatch& patch) const {
-    const Sight seen = sight_.look(T_object_scanner_, patch.centre, patch.normal);
+    const Sight seen = lookAt(sight_, T_object_scanner_, patch, options_.breakdownAngle);
     PatchSight result{seen.visibility, seen.cosine, kNoIndex};
     const Vec3 start = patch.centre + options_.offset * patch.normal;
     if (seen.visibility == Visibility::LightBlocked) result.blocker = firstBetween(start, seen.direction);

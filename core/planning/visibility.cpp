@@ -21,9 +21,9 @@ std::string_view name(Visibility visibility) {
 }
 
 SightTest::SightTest(const ScannerProfile& profile, const RayCaster& obstacles, const SightOptions& options)
-    : profile_(profile), obstacles_(obstacles), options_(options), minCosine_(std::cos(options.breakdownAngle)) {}
+    : profile_(profile), obstacles_(obstacles), options_(options) {}
 
-Sight SightTest::look(const Pose& T_object_scanner, const Vec3& point, const Vec3& normal) const {
+Sight SightTest::look(const Pose& T_object_scanner, const Vec3& point, const Vec3& normal, double widestAngle) const {
   Sight sighting;
   const RayGrid& rays = *profile_.rays;
   const Vec3 inScanner = T_object_scanner.inverse() * point;
@@ -36,7 +36,7 @@ Sight SightTest::look(const Pose& T_object_scanner, const Vec3& point, const Vec
   sighting.direction = -(T_object_scanner.linear() * ray.direction);
   sighting.cosine = sighting.direction.dot(normal);
   sighting.visibility = Visibility::TooSteep;
-  if (sighting.cosine < minCosine_) return sighting;
+  if (sighting.cosine < std::cos(widestAngle)) return sighting;
 
   sighting.visibility = Visibility::LightBlocked;
   const Vec3 start = point + options_.offset * normal;

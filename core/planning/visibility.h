@@ -37,13 +37,17 @@ class SightTest {
   SightTest(const ScannerProfile& profile, const RayCaster& obstacles, const SightOptions& options);
 
   /// @param normal unit, object coordinates like `point`.
-  [[nodiscard]] Sight look(const Pose& T_object_scanner, const Vec3& point, const Vec3& normal) const;
+  [[nodiscard]] Sight look(const Pose& T_object_scanner, const Vec3& point, const Vec3& normal) const {
+    return look(T_object_scanner, point, normal, options_.breakdownAngle);
+  }
+  /// The same up to another angle than the breakdown angle [rad].
+  [[nodiscard]] Sight look(const Pose& T_object_scanner, const Vec3& point, const Vec3& normal,
+                           double widestAngle) const;
 
  private:
   const ScannerProfile& profile_;
   const RayCaster& obstacles_;
   SightOptions options_;
-  double minCosine_;
 };
 
 }  // namespace vantage

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "acquisition/steps.h"
 #include "base/errors.h"
 #include "positional_space/objective_sums.h"
@@ -59,6 +61,22 @@ TEST(PlanImages, KeepWhichPatchIsSeenThroughWhichCell) {
   const PlanImages made = scene.planImages();
   ASSERT_EQ(made.voids.sourceCount(), scene.plan.voids->patches.size());
   EXPECT_FALSE(made.voids.sightings.empty());
+}
+
+TEST(PlanImages, SeeOpeningsBeyondTheBreakdownAngleAndSurfaceOnlyWithinIt) {
+  const TwoViews scene;
+  const PlanImages made = scene.planImages();
+  const double breakdown = std::cos(scene.state.profile->breakdownAngle);
+  std::size_t beyond = 0;
+  for (std::size_t p = 0; p < made.voids.sourceCount(); ++p) {
+    const VoidPatch& patch = scene.plan.voids->patches[p];
+    for (const Sighting& sighting : made.voids.sightingsOf(p)) {
+      const bool steep = static_cast<double>(sighting.confidence) < breakdown;
+      EXPECT_FALSE(steep && patch.edgeClass == EdgeClass::Regular) << "patch " << p;
+      beyond += steep;
+    }
+  }
+  EXPECT_GT(beyond, 0U);
 }
 
 TEST(PlanImages, ATolerancePutsPoorlySampledSurfaceIntoTheVoid) {
