@@ -10,6 +10,11 @@ namespace {
 
 constexpr std::size_t kGrain = 64;
 
+// Whether the patch lies in the view's own line of sight to the receiver: the view saw what is on one side of it only.
+bool ranAlong(const VoidPatch& patch, std::size_t view) {
+  return patch.edgeClass == EdgeClass::LineOfSightJump && patch.view == view;
+}
+
 }  // namespace
 
 PatchHistory::PatchHistory(std::span<const VoidPatch> patches, std::span<const View> views, const SightTest& sight,
@@ -21,7 +26,9 @@ PatchHistory::PatchHistory(std::span<const VoidPatch> patches, std::span<const V
   const double minCosine = std::cos(std::max(0.0, breakdownAngle - options.clearOfBreakdown));
   parallelChunks(patches.size(), kGrain, progress, [&](std::size_t begin, std::size_t end) {
     for (std::size_t p = begin; p < end; ++p) {
-      for (const View& view : views) {
+      for (std::size_t i = 0; i < views.size(); ++i) {
+        if (ranAlong(patches[p], i)) continue;
+        const View& view = views[i];
         const Sight s = sight.look(view.T_object_scanner, patches[p].centre, patches[p].normal);
         if (s.visibility != Visibility::Seen) continue;
         bestCosine_[p] = std::max(bestCosine_[p], s.cosine);

@@ -22,8 +22,8 @@ struct OutlookOptions {
 
 /// What the views taken so far say about every patch. What one view did not find at a patch, another that sees it no
 /// more squarely will not find either: at a rim that is too steep for every position the patches of one view would
-/// otherwise attract all others. A patch that views should have answered and did not stays void for the record and
-/// attracts no more, so that termination is certain.
+/// otherwise attract all others. The view whose line of sight bounds a patch has not looked at it. A patch that views
+/// should have answered and did not stays void for the record and attracts no more, so that termination is certain.
 class PatchHistory {
  public:
   /// @param sight with a breakdown angle so wide that it also tells of views that see a patch too steeply.

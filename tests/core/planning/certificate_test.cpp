@@ -58,6 +58,16 @@ TEST_F(Certificate, PromisesNothingWhereAViewSawItAsSquarely) {
   EXPECT_EQ(outlook.promise, 0.0);
 }
 
+TEST_F(Certificate, PromisesMoreWhereAViewOnlySawOneSideOfItsLineOfSight) {
+  VoidPatch patch = patchAt({0, 0, 100}, Vec3::UnitX());
+  patch.edgeClass = EdgeClass::LineOfSightJump;
+  patch.view = 0;
+  EXPECT_EQ(outlookOf(patch, {profile_.workspace.poses[0]}, nothing_).looks, 0);
+  EXPECT_NEAR(outlookOf(patch, {profile_.workspace.poses[0]}, nothing_).promise, 2.0, 1e-9);
+  patch.view = 1;
+  EXPECT_EQ(outlookOf(patch, {profile_.workspace.poses[0]}, nothing_).looks, 1);
+}
+
 TEST_F(Certificate, NamesWhatBlocksEveryPosition) {
   const VoidPatch patch = patchAt({0, 0, 100}, Vec3::UnitX());
   const Mesh inTheLight = testing::makeBox({100, -5, 95}, {110, 5, 105});
