@@ -69,7 +69,7 @@ struct Plan {
   int position = -1;                  ///< the next best view; -1 unless Found
   double leastOverlap = 0.0;          ///< t [mm^2]
   double terminationThreshold = 0.0;  ///< F [mm^2]
-  /// What all views that are still possible together would show, once the best of them shows little [mm^2].
+  /// What all views that are still possible together would show, known once none of them is worth taking [mm^2].
   double voidLeft = 0.0;
   int relaxations = 0;                       ///< how often t was halved to find a position
   double angularError = 0.0;                 ///< of positional space [rad]

@@ -14,7 +14,7 @@
 #include "planning/objective.h"
 #include "planning/plan_images.h"
 #include "planning/planning_surface.h"
-#include "planning/view_thresholds.h"
+#include "planning/termination.h"
 #include "planning/void_extent.h"
 #include "registration/motion_information.h"
 #include "void_space/void_patch_builder.h"
@@ -43,7 +43,7 @@ class Planning {
         options_(options),
         spacing_(meanSpacing(input.views)),
         modelArea_(area(input.model.mesh)),
-        thresholds_(viewThresholds(options.termination, spacing_, modelArea_)) {
+        threshold_(terminationThreshold(options.termination, spacing_, modelArea_)) {
     objective_.breakdownAngle = input.profile.breakdownAngle;
     objective_.tolerance = options.tolerance;
     objective_.lookAhead = options.lookAhead;
@@ -127,7 +127,7 @@ class Planning {
     const double perView = modelArea_ / static_cast<double>(input_.views.size());
     rules.leastOverlap = options_.leastOverlap.value_or(
         std::max(options_.overlapShare * perView, options_.overlapSamples * spacing_ * spacing_));
-    rules.terminationThreshold = thresholds_.least;
+    rules.terminationThreshold = threshold_;
     rules.maxPoseSigma = options_.poseSigmaShare * spacing_;
     return rules;
   }
@@ -153,26 +153,18 @@ class Planning {
     return choice;
   }
 
-  // A view that shows little is worth taking only while much is left for such views to show.
   void decide(Plan& plan, const Mesh& seen, const PatchHistory& history, const SightTest& sight,
               const Progress& progress) const {
-    ChoiceOptions choiceRules = rules();
-    Choice choice = chooseTraced(plan, seen, history, sight, choiceRules, progress.part(0.0, 0.7));
-    const bool little = choice.outcome != PlanOutcome::Found ||
-                        promise(plan.scores[static_cast<std::size_t>(choice.position)]) <= thresholds_.usual;
-    plan.outlook = certify(plan.voids->patches, history,
-                           little ? std::span<const Pose>(input_.profile.workspace.poses) : std::span<const Pose>(),
-                           sight, lookAheadAngle(), progress.part(0.7, 1.0));
+    const Choice choice = chooseTraced(plan, seen, history, sight, rules(), progress.part(0.0, 0.7));
+    std::span<const Pose> left;
+    if (choice.outcome != PlanOutcome::Found) left = input_.profile.workspace.poses;
+    plan.outlook = certify(plan.voids->patches, history, left, sight, lookAheadAngle(), progress.part(0.7, 1.0));
     plan.voidLeft = promiseLeft(plan.outlook);
-    if (choice.outcome == PlanOutcome::Found && little && plan.voidLeft <= thresholds_.left) {
-      choiceRules.terminationThreshold = thresholds_.usual;
-      choice = choose(plan.scores, input_.profile.workspace, input_.current, choiceRules);
-    }
     plan.outcome = choice.outcome;
     plan.position = choice.position;
     plan.leastOverlap = choice.leastOverlap;
     plan.relaxations = choice.relaxations;
-    plan.terminationThreshold = choiceRules.terminationThreshold;
+    plan.terminationThreshold = threshold_;
     plan.angularError = input_.images.grid().shape().angularError;
   }
 
@@ -216,7 +208,7 @@ class Planning {
   const PlannerOptions& options_;
   double spacing_;
   double modelArea_;
-  ViewThresholds thresholds_;
+  double threshold_;
   ObjectiveOptions objective_;
   SightOptions sight_;
 };

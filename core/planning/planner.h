@@ -7,7 +7,7 @@
 #include "integration/model.h"
 #include "planning/patch_outlook.h"
 #include "planning/plan.h"
-#include "planning/view_thresholds.h"
+#include "planning/termination.h"
 #include "positional_space/scanner_images.h"
 #include "registration/pose_prior.h"
 #include "scanner/profile.h"
