@@ -10,6 +10,7 @@
 #include <QSpinBox>
 
 #include "main_window.h"
+#include "screenshots/painted_text.h"
 #include "screenshots/screenshot.h"
 #include "wizard/next_view_box.h"
 
@@ -107,8 +108,12 @@ class Pages : public ::testing::TestWithParam<Look> {
   void check(Desk& desk, const QString& page) {
     const QImage image = desk.picture(page + "_" + GetParam().name);
     EXPECT_TRUE(testing::isNotBlank(image)) << page.toStdString();
-    EXPECT_EQ(clipped(desk.window()).join(" | "), QString()) << page.toStdString();
-    EXPECT_EQ(nameless(desk.window()).join(" | "), QString()) << page.toStdString();
+    EXPECT_EQ(clipped(desk.window()).join(" | ").toStdString(), "") << page.toStdString();
+    const auto texts = testing::paintedText(desk.window());
+    EXPECT_GT(texts.size(), 20U) << page.toStdString();
+    EXPECT_EQ(testing::cutOff(texts).join(" | ").toStdString(), "") << page.toStdString();
+    EXPECT_EQ(testing::overlapping(texts).join(" | ").toStdString(), "") << page.toStdString();
+    EXPECT_EQ(nameless(desk.window()).join(" | ").toStdString(), "") << page.toStdString();
     EXPECT_EQ(desk.window().size(), GetParam().size) << "the window grew: " << page.toStdString();
     if (!GetParam().kept || image.devicePixelRatio() != 1.0) return;
     EXPECT_TRUE(testing::matchesBaseline(image, "window_" + page.toStdString() + "_" + GetParam().name));
@@ -146,6 +151,21 @@ TEST_P(Pages, NothingIsBlankClippedOrNameless) {
   check(desk, "5_finish");
 }
 
+TEST_P(Pages, NothingIsBlankClippedOrNamelessAfterALongSession) {
+  Desk desk(GetParam().size, GetParam().dark);
+  desk.window().findChild<QSpinBox*>("max_views")->setValue(40);
+  desk.next();
+  desk.next();
+  desk.controller().run();
+  ASSERT_TRUE(desk.controller().now());
+  ASSERT_GT(desk.controller().now()->views.size(), 4U);
+  check(desk, "4_review_finished");
+  desk.window().views().examine(20);
+  check(desk, "4_why_at_the_end");
+  desk.next();
+  check(desk, "5_finish_finished");
+}
+
 TEST(PageText, EveryPageSaysWhatHappensNext) {
   Desk desk({1280, 800}, false);
   for (int i = 0; i < desk.window().wizard().pageCount(); ++i) {
@@ -153,6 +173,22 @@ TEST(PageText, EveryPageSaysWhatHappensNext) {
     EXPECT_FALSE(desk.window().wizard().page().title().isEmpty());
     EXPECT_TRUE(desk.window().wizard().page().whatNext().endsWith('.'));
   }
+}
+
+TEST(PaintedText, TellsWhatIsCutOffAndWhatIsWrittenOverEachOther) {
+  QWidget window;
+  window.resize(300, 100);
+  QLabel whole(QStringLiteral("whole"), &window);
+  whole.setGeometry(10, 10, 100, 30);
+  QLabel narrow(QStringLiteral("more than there is room for"), &window);
+  narrow.setGeometry(10, 60, 20, 30);
+  QLabel above(QStringLiteral("above"), &window);
+  above.setGeometry(15, 10, 100, 30);
+  window.show();
+  const auto texts = testing::paintedText(window);
+  EXPECT_EQ(texts.size(), 3U);
+  EXPECT_EQ(testing::cutOff(texts).join(" | ").toStdString(), "more than there is room for");
+  EXPECT_EQ(testing::overlapping(texts).join(" | ").toStdString(), "whole / above");
 }
 
 }  // namespace
