@@ -20,6 +20,11 @@ QPalette paletteFor(const Theme& theme) {
   palette.setColor(QPalette::Base, theme.panel);
   palette.setColor(QPalette::AlternateBase, mixed(theme.panel, theme.text, 0.03));
   palette.setColor(QPalette::Button, mixed(window, theme.text, 0.05));
+  // The edges of frames, tabs and rules, which would be white in every theme.
+  palette.setColor(QPalette::Light, mixed(window, theme.text, 0.15));
+  palette.setColor(QPalette::Midlight, mixed(window, theme.text, 0.1));
+  palette.setColor(QPalette::Mid, mixed(window, theme.text, 0.25));
+  palette.setColor(QPalette::Dark, mixed(window, theme.text, 0.3));
   for (const auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText, QPalette::ToolTipText})
     palette.setColor(role, theme.text);
   palette.setColor(QPalette::ToolTipBase, theme.panel);
