@@ -16,6 +16,14 @@ namespace {
 
 const QString kPageNote = QStringLiteral("page");
 
+// Where to go on in a session: where it was left, or, when no window has had it yet, where its state leads.
+QString pageOf(const Session& session, const AcquisitionState& state) {
+  const std::string noted = session.note(kPageNote.toStdString());
+  if (!noted.empty()) return QString::fromStdString(noted);
+  if (state.views.empty()) return {};
+  return state.termination == Termination::Running ? QStringLiteral("acquire") : QStringLiteral("review");
+}
+
 Moment momentOf(const HistoryEntry& entry, bool undone) {
   Moment moment;
   moment.text = QString::fromStdString(describe(entry.command));
@@ -107,11 +115,11 @@ QString SessionController::sessionPath() const {
   return session_ ? QString::fromStdString(session_->path()) : QString();
 }
 
-void SessionController::adopt(const SessionPointer& session, const SharedSetUp& setUp) {
+void SessionController::adopt(const SessionPointer& session, const SharedSetUp& setUp, const QString& page) {
   session_ = session;
   setUp_ = setUp;
   choice_ = setUp->choice;
-  page_ = QString::fromStdString(session->note(kPageNote.toStdString()));
+  page_ = page;
   for (const std::string& loss : session->losses()) emit failed(QString::fromStdString(loss));
   emit setUpChanged();
   emit sessionChanged();
@@ -130,7 +138,7 @@ void SessionController::open(const QString& path) {
         return result;
       },
       [this](Opened result) {
-        adopt(result.opened.session, result.opened.setUp);
+        adopt(result.opened.session, result.opened.setUp, pageOf(*result.opened.session, *result.publication.state));
         publish(std::move(result.publication));
       });
 }
@@ -182,7 +190,7 @@ void SessionController::scanInBackground(bool untilTheEnd, std::optional<int> po
   pause_ = std::make_shared<std::atomic<bool>>(false);
   const auto begun = [this, setUp = setUp_](const SessionPointer& session) {
     QMetaObject::invokeMethod(this, [this, session, setUp, publication = describe(*session)]() mutable {
-      adopt(session, setUp);
+      adopt(session, setUp, {});
       publish(std::move(publication));
     });
   };

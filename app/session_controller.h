@@ -142,7 +142,7 @@ class SessionController final : public QObject {
   void scanInBackground(bool untilTheEnd, std::optional<int> position);
   void change(const Command& command);
   void move(bool backward);
-  void adopt(const SessionPointer& session, const SharedSetUp& setUp);
+  void adopt(const SessionPointer& session, const SharedSetUp& setUp, const QString& page);
   void publish(Publication publication);
   [[nodiscard]] std::function<void(const Command&, const AcquisitionState&)> recorder(const SessionPointer& session);
   [[nodiscard]] static Publication describe(const Session& session);

@@ -195,6 +195,18 @@ TEST_F(SessionControllerTest, ASessionReopensAtItsPageWithEveryScan) {
   EXPECT_EQ(controller_->now()->views.size(), 3U);
 }
 
+TEST_F(SessionControllerTest, ASessionThatNoWindowHasHadOpensWhereItsStateLeads) {
+  prepare();
+  controller_->step();
+  const QString session = controller_->sessionPath();
+  for (const char* page : {"acquire", "review"}) {
+    controller_ = make();
+    controller_->open(session);
+    EXPECT_EQ(controller_->page(), page);
+    controller_->run();
+  }
+}
+
 TEST_F(SessionControllerTest, CancellingAStepLeavesNoTrace) {
   prepare();
   controller_->step();
