@@ -143,7 +143,9 @@ TEST_F(ThreadedSurface, ClosingDuringAPictureLosesNoChange) {
   log_.gate.release(1000);
   surface_.reset();
   EXPECT_TRUE(changed);
-  EXPECT_EQ(log_.drawn, 1);
+  // The picture that was under way, and one more where the first paint had asked again before the surface was closed.
+  EXPECT_EQ(log_.drawn, log_.begun);
+  EXPECT_LE(log_.drawn, 2);
 }
 
 TEST_F(ThreadedSurface, HiddenItIsNotDrawnButKeepsUp) {

@@ -28,6 +28,10 @@ class ThreadedWidget final : public QWidget {
   }
 
   ~ThreadedWidget() override {
+    {
+      const std::lock_guard lock(mutex_);
+      wanted_.pixels = QSize();
+    }
     thread_->finish([this] { window_->release(); });
     scene_.deferChanges(false);
   }
