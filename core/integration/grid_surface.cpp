@@ -103,7 +103,8 @@ std::optional<GridContact> GridSurface::at(const GridPosition& position) const {
     std::array<Vec2, 3> corner;
     for (int k = 0; k < 3; ++k) {
       const auto sample = static_cast<int>(mesh_->sample[mesh_->mesh.triangles[t][k]]);
-      corner[k] = Vec2(sample % rays().columns() - position.column, sample / rays().columns() - position.row);
+      const int sampleRow = sample / rays().columns();
+      corner[k] = Vec2(sample % rays().columns() - position.column, sampleRow - position.row);
     }
     const auto cross = [](const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); };
     GridContact contact{t, {cross(corner[1], corner[2]), cross(corner[2], corner[0]), cross(corner[0], corner[1])}};

@@ -117,7 +117,7 @@ class Accumulator {
     for (std::uint32_t k = o.first; k < o.first + o.count; ++k) {
       const std::uint32_t cell = batch_.cells[k].cell;
       const float confidence = batch_.cells[k].confidence();
-      image.sums[cell] += static_cast<std::int64_t>(scale * static_cast<double>(confidence) + 0.5);
+      image.sums[cell] += std::llrint(scale * static_cast<double>(confidence));
       if (options_.keepSightings) sightings_.push_back({o.source, {cell, confidence}});
     }
   }

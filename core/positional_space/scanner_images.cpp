@@ -106,8 +106,8 @@ OutwardRay ScannerImages::ray(std::uint32_t number) const {
 
 std::vector<Vec3> ScannerImages::receivers(std::uint32_t number) const {
   const std::size_t stored = number % data_.cells.size();
-  const auto period = static_cast<double>(number / data_.cells.size());
-  const Eigen::AngleAxisd turn(2.0 * kPi * period / data_.periods, Vec3::UnitZ());
+  const std::size_t period = number / data_.cells.size();
+  const Eigen::AngleAxisd turn(2.0 * kPi * static_cast<double>(period) / data_.periods, Vec3::UnitZ());
   std::vector<Vec3> found;
   const auto count = static_cast<std::size_t>(data_.receivers);
   for (std::size_t k = 0; k < count; ++k) found.push_back(turn * data_.receiverPositions[stored * count + k]);

@@ -34,9 +34,10 @@ std::optional<RayPassage> RayIndex::through(std::uint32_t view, const Vec3& p,
 RayPassage RayIndex::ofSample(std::uint32_t view, std::uint32_t sample, const Vec3& p) const {
   const RayGrid& rays = *views_[view].image->rays;
   const auto columns = static_cast<std::uint32_t>(rays.columns());
+  const std::uint32_t row = sample / columns;
   RayPassage passage;
   passage.view = view;
-  passage.position = {static_cast<double>(sample / columns), static_cast<double>(sample % columns)};
+  passage.position = {static_cast<double>(row), static_cast<double>(sample % columns)};
   passage.ray = sample;
   passage.line = rays.ray(sample);
   complete(passage, p, T_scanner_object_[view] * p);

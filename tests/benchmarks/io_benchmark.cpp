@@ -32,12 +32,12 @@ const Files& files() {
 
 void readOurs(benchmark::State& state) {
   const std::string& path = files().ply;
-  for (auto _ : state) benchmark::DoNotOptimize(vantage::readPlyMesh(path).triangles.data());
+  while (state.KeepRunning()) benchmark::DoNotOptimize(vantage::readPlyMesh(path).triangles.data());
 }
 
 void readAssimp(benchmark::State& state) {
   const std::string& path = files().ply;
-  for (auto _ : state) {
+  while (state.KeepRunning()) {
     Assimp::Importer importer;
     benchmark::DoNotOptimize(importer.ReadFile(path, 0));
   }
@@ -45,19 +45,19 @@ void readAssimp(benchmark::State& state) {
 
 void readAndRepair(benchmark::State& state) {
   const std::string& path = files().ply;
-  for (auto _ : state) benchmark::DoNotOptimize(vantage::loadMesh(path).mesh.triangles.data());
+  while (state.KeepRunning()) benchmark::DoNotOptimize(vantage::loadMesh(path).mesh.triangles.data());
 }
 
 void writeOurs(benchmark::State& state) {
   const std::string path = files().folder.file("ours.ply");
-  for (auto _ : state) vantage::exportMesh(files().mesh, path);
+  while (state.KeepRunning()) vantage::exportMesh(files().mesh, path);
 }
 
 void writeAssimp(benchmark::State& state) {
   Assimp::Importer importer;
   const aiScene* scene = importer.ReadFile(files().ply, 0);
   const std::string path = files().folder.file("assimp.ply");
-  for (auto _ : state) {
+  while (state.KeepRunning()) {
     Assimp::Exporter exporter;
     benchmark::DoNotOptimize(exporter.Export(scene, "plyb", path));
   }

@@ -115,6 +115,7 @@ void refineEight(const std::string& folder) {
     if (i > 0) views.back().T_object_scanner = disturbance(50 + i, radians(1.5), 1.5) * truth.back().T_object_scanner;
   }
   std::vector<double> times;
+  times.reserve(kRuns);
   MultiViewResult result;
   for (int run = 0; run < kRuns; ++run)
     times.push_back(seconds([&] { result = refineViews(views, {}, Progress({}, {}, kThreads)); }));

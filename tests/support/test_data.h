@@ -36,6 +36,8 @@ class TemporaryFolder {
 }  // namespace vantage::testing
 
 /// Leaves a test that needs the folder of test data where there is none.
+// NOLINTBEGIN(bugprone-macro-parentheses): the name that it declares
 #define VANTAGE_NEEDS_TEST_DATA(folder)                     \
   const auto folder = ::vantage::testing::testDataFolder(); \
   if (!folder) GTEST_SKIP() << "no test data: set VANTAGE_TEST_DATA to the folder that holds it"
+// NOLINTEND(bugprone-macro-parentheses)
