@@ -23,8 +23,8 @@ std::shared_ptr<Session> createSession(const SetUp& setUp) {
   std::error_code error;
   fs::create_directories(setUp.choice.folder, error);
   if (error) throw IoError(setUp.choice.folder, "cannot be made a folder: " + error.message());
-  return std::make_shared<Session>(
-      Session::create(freeName(setUp.choice.folder), {setUp.source, setUp.choice.settings, setUp.object.get()}));
+  return std::make_shared<Session>(Session::create(
+      freeName(setUp.choice.folder), {setUp.source, setUp.choice.settings, setUp.object.get(), setUp.profile}));
 }
 
 OpenedSession openSession(const std::string& path, const std::string& cacheFolder, const Progress& progress) {

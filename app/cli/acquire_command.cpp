@@ -40,14 +40,14 @@ Mesh placeObject(const AcquireArguments& args, const ScannerProfile& profile, Co
 
 void run(const AcquireArguments& args, CommandContext& context) {
   const ProfileSource source = readProfileSource(args.scanner);
-  const ScannerProfile profile = parseProfile(source);
-  if (args.settings.firstView >= static_cast<int>(profile.workspace.size()))
+  const auto profile = std::make_shared<const ScannerProfile>(parseProfile(source));
+  if (args.settings.firstView >= static_cast<int>(profile->workspace.size()))
     throw InvalidInput("--first-view is " + std::to_string(args.settings.firstView) +
-                       ", the workspace has positions 0 to " + std::to_string(profile.workspace.size() - 1));
-  const Mesh object = placeObject(args, profile, context);
+                       ", the workspace has positions 0 to " + std::to_string(profile->workspace.size() - 1));
+  const Mesh object = placeObject(args, *profile, context);
   makeFolder(args.out);
   const std::string file = (std::filesystem::path(args.out) / "session.vantage").string();
-  Session session = Session::create(file, {source, args.settings, &object});
+  Session session = Session::create(file, {source, args.settings, &object, profile});
   SessionRun(session, args.out, context).run(object);
 }
 

@@ -59,19 +59,19 @@ nlohmann::ordered_json importJson(const ImportArguments& args, const ImportResul
 
 void run(const ImportArguments& args, CommandContext& context) {
   std::optional<ProfileSource> source;
-  std::unique_ptr<const ScannerProfile> profile;
+  std::shared_ptr<const ScannerProfile> profile;
   if (args.scanner != "generic") {
     source = readProfileSource(args.scanner);
-    profile = std::make_unique<const ScannerProfile>(parseProfile(*source));
+    profile = std::make_shared<const ScannerProfile>(parseProfile(*source));
   }
   const Progress progress = context.progress();
-  const std::vector<RangeImage> images = readScans(args, profile.get(), progress.part(0.0, 0.1, "read scans"));
-  Session session = Session::create(args.session, {source, {}, nullptr});
+  std::vector<RangeImage> images = readScans(args, profile.get(), progress.part(0.0, 0.1, "read scans"));
+  Session session = Session::create(args.session, {source, {}, nullptr, profile});
   ImportScans command;
   std::vector<NumberedScan> scans;
-  for (const RangeImage& image : images) {
-    command.scans.push_back(session.keepScan(image));
-    scans.push_back({command.scans.back(), session.scan(command.scans.back())});
+  for (RangeImage& image : images) {
+    scans.push_back(session.keepScan(std::move(image)));
+    command.scans.push_back(scans.back().number);
   }
   ImportResult result = importScans(scans, importOptionsFor(*session.state()), progress.part(0.1, 1.0));
   result.state.profile = session.profile();

@@ -49,11 +49,12 @@ nlohmann::ordered_json stepJson(const AcquisitionState& before, const Acquisitio
 void run(const StepArguments& args, CommandContext& context) {
   Session session = openSession(args.session, SessionAccess::Write, context);
   const Progress progress = context.progress();
-  const RangeImage image = readScan(args, session, progress.part(0.0, 0.1, "read scan"));
+  RangeImage image = readScan(args, session, progress.part(0.0, 0.1, "read scan"));
   const ScannerImages images = loadScannerImages(*session.profile(), cacheDirectory(),
                                                  progress.part(0.1, 0.2, "positional space of the scanner"));
   const auto before = session.state();
-  AddScan command{session.keepScan(image), {}};
+  const NumberedScan scan = session.keepScan(std::move(image));
+  AddScan command{scan.number, {}};
   if (const auto plan = currentPlan(*before)) command.predicted = plan->scores[static_cast<std::size_t>(args.position)];
   const CommandInput input{[&](std::int64_t number) { return session.scan(number); }, &images};
   session.record(command, applyCommand(*before, command, input, progress.part(0.2, 1.0)));

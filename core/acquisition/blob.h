@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/errors.h"
+#include "geometry/vectors.h"
 
 namespace vantage {
 
@@ -25,14 +26,23 @@ class BlobWriter {
   template <typename T>
   void list(const std::vector<T>& items) {
     static_assert(std::is_trivially_copyable_v<T>);
-    value(static_cast<std::uint64_t>(items.size()));
-    const auto* bytes = reinterpret_cast<const std::byte*>(items.data());
-    bytes_.insert(bytes_.end(), bytes, bytes + items.size() * sizeof(T));
+    append(items.size(), std::as_bytes(std::span(items)));
+  }
+
+  /// As a list of three doubles each.
+  void list(const std::vector<Vec3>& points) {
+    static_assert(sizeof(Vec3) == 3 * sizeof(double));
+    append(points.size(), std::as_bytes(std::span(points)));
   }
 
   [[nodiscard]] const std::vector<std::byte>& bytes() const { return bytes_; }
 
  private:
+  void append(std::uint64_t count, std::span<const std::byte> items) {
+    value(count);
+    bytes_.insert(bytes_.end(), items.begin(), items.end());
+  }
+
   std::vector<std::byte> bytes_;
 };
 

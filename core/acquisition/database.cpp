@@ -13,6 +13,10 @@
 namespace vantage {
 namespace {
 
+// Most of a session are blobs of many pages: fewer and larger ones are written with fewer calls, and the log is longer
+// before it is moved into the file.
+constexpr int kPageBytes = 16384;
+
 // What a code of SQLite means to who works with a session.
 std::string meaning(int code, const char* detail) {
   switch (code & 0xff) {
@@ -152,7 +156,9 @@ Database::Database(const std::string& path, Mode mode) : Database(path, nullptr)
   const int code = openHandle(path, SQLITE_OPEN_READWRITE | (mode == Mode::Create ? SQLITE_OPEN_CREATE : 0));
   if (code != SQLITE_OK) throw IoError(path, meaning(code, sqlite3_errstr(code)));
   sqlite3_busy_timeout(handle_.get(), 2000);
-  run("PRAGMA journal_mode=WAL");
+  if (mode == Mode::Create) run("PRAGMA page_size=" + std::to_string(kPageBytes));
+  // A new file is written once, without a log: half of one is worth nothing, and nobody knows it yet.
+  run(mode == Mode::Create ? "PRAGMA journal_mode=MEMORY" : "PRAGMA journal_mode=WAL");
   run("PRAGMA synchronous=FULL");
 }
 
@@ -208,7 +214,10 @@ Database Database::copyInMemory() const {
 
 void Database::copyTo(const std::string& path) const {
   if (std::filesystem::exists(path)) throw IoError(path, "exists already");
-  Database copy(path, Mode::Create);
+  Database copy(path, nullptr);
+  // Left to become what it is a copy of: pages of that size, and a log.
+  const int code = copy.openHandle(path, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE);
+  if (code != SQLITE_OK) throw IoError(path, meaning(code, sqlite3_errstr(code)));
   backUp(copy);
 }
 
@@ -219,6 +228,10 @@ bool Database::sound() {
   } catch (const IoError&) {
     return false;
   }
+}
+
+void Database::shortenLog() {
+  prepare("PRAGMA wal_checkpoint(PASSIVE)").step();
 }
 
 Statement Database::prepare(const std::string& sql) {

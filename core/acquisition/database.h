@@ -44,7 +44,7 @@ class Statement {
   std::unique_ptr<sqlite3_stmt, int (*)(sqlite3_stmt*)> statement_;
 };
 
-/// An SQLite database file (WAL, synchronous=FULL).
+/// An SQLite database file (synchronous=FULL; WAL, once it is opened for writing).
 class Database {
  public:
   enum class Mode { Create, Write, Read };
@@ -64,6 +64,9 @@ class Database {
 
   /// Whether every page is where it belongs.
   [[nodiscard]] bool sound();
+
+  /// Moves what readers leave of the log into the file, which is otherwise done when the log is long and at the end.
+  void shortenLog();
 
   [[nodiscard]] Statement prepare(const std::string& sql);
   void run(const std::string& sql);

@@ -14,8 +14,7 @@ ScanSource keptScans(ScannerDevice& scanner, Session& session) {
   return [&scanner, &session](int position, const Progress& progress) {
     const auto unused = session.unusedScan();
     if (unused && unused->image->position == position) return *unused;
-    const std::int64_t number = session.keepScan(scanner.scan(position, progress));
-    return NumberedScan{number, session.scan(number)};
+    return session.keepScan(scanner.scan(position, progress));
   };
 }
 

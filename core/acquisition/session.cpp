@@ -3,11 +3,14 @@
 #include <sys/stat.h>
 
 #include <algorithm>
+#include <chrono>
 #include <filesystem>
+#include <future>
 #include <map>
 #include <mutex>
 #include <utility>
 
+#include "acquisition/session_blobs.h"
 #include "acquisition/session_lock.h"
 #include "acquisition/session_opening.h"
 #include "acquisition/session_rescue.h"
@@ -90,7 +93,34 @@ struct Session::Parts {
     entry.outline = std::make_shared<const StateOutline>(states.outline(*shared, before, entry.step));
     transact(store, [&] { store.addStep(entry, first ? 0 : history.current().step, *shared); });
     states.remember(*entry.outline, *shared);
-    history.add(std::move(entry), std::move(shared));
+    const std::int64_t newModel = entry.outline->modelStep == entry.step ? entry.step : 0;
+    history.add(std::move(entry), shared);
+    if (newModel != 0) keepModel(newModel, shared->model);
+  }
+
+  // Writes the model that a step led to while whoever recorded the step goes on.
+  void keepModel(std::int64_t step, const std::shared_ptr<const Model>& model) {
+    // One at a time. The one before may be waiting for the mutex, so that it is not waited for here.
+    const bool busy =
+        modelWritten.valid() && modelWritten.wait_for(std::chrono::seconds(0)) != std::future_status::ready;
+    if (busy)
+      writeModel(step, *model);
+    else
+      modelWritten = std::async(std::launch::async, [this, step, model] { writeModel(step, *model); });
+  }
+
+  // A model can be made again from its step: when it cannot be written, or the program ends before, nothing is lost.
+  void writeModel(std::int64_t step, const Model& model) noexcept {
+    try {
+      const std::vector<std::byte> blob = modelBlob(model);
+      {
+        const std::lock_guard guard(mutex);
+        transact(store, [&] { store.addModel(step, blob); });
+      }
+      Database(path, Database::Mode::Write).shortenLog();
+    } catch (const std::exception&) {
+      // The next step says so if there is no room.
+    }
   }
 
   void move(void (History::*there)(), void (History::*back)(), const char* what) {
@@ -115,6 +145,7 @@ struct Session::Parts {
   std::pair<std::uint64_t, std::uint64_t> file;
   std::string refuge;
   std::recursive_mutex mutex;
+  std::future<void> modelWritten;  // last: it ends before the rest of the session does
 };
 
 Session::Session(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
@@ -128,8 +159,6 @@ namespace {
 void writeNew(const std::string& path, const SessionStart& start) {
   Session::Parts parts(path, SessionAccess::Write, std::nullopt, Database(path, Database::Mode::Create));
   SessionStore& store = parts.store;
-  // Nobody knows the file yet: it need not be on the disk before it is closed.
-  store.database().run("PRAGMA synchronous=NORMAL");
   transact(store, [&] {
     createSessionTables(store.database());
     if (start.profile) store.setProfileSource(*start.profile);
@@ -145,7 +174,7 @@ void writeNew(const std::string& path, const SessionStart& start) {
 // A session appears whole or not at all, and what was there before stays until then.
 Session Session::create(const std::string& path, const SessionStart& start) {
   SessionLock lock(path);
-  auto profile = SessionStates::parsed(start.profile);
+  auto profile = start.scanner ? start.scanner : SessionStates::parsed(start.profile);
   const std::string unfinished = path + ".new";
   writeNew(unfinished, start);
   std::error_code error;
@@ -241,14 +270,16 @@ Mesh Session::object(const Progress& progress) const {
   return object;
 }
 
-std::int64_t Session::keepScan(const RangeImage& image) {
+NumberedScan Session::keepScan(RangeImage image) {
   validate(image);
   const std::lock_guard guard(parts_->mutex);
   parts_->mustBeWritable();
-  std::int64_t number = 0;
-  transact(parts_->store, [&] { number = parts_->states.keep(image); });
+  const auto shared = std::make_shared<const RangeImage>(std::move(image));
+  StoredScan scan;
+  transact(parts_->store, [&] { scan = parts_->states.keep(*shared); });
+  parts_->states.remember(scan, shared);
   parts_->mustBeInPlace();
-  return number;
+  return {scan.number, shared};
 }
 
 std::optional<NumberedScan> Session::unusedScan() const {

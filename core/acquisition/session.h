@@ -16,7 +16,8 @@ namespace vantage {
 struct SessionStart {
   std::optional<ProfileSource> profile;  ///< none for recorded scans without a scanner
   AcquisitionSettings settings;
-  const Mesh* object = nullptr;  ///< what a simulated scanner looks at, placed
+  const Mesh* object = nullptr;                             ///< what a simulated scanner looks at, placed
+  std::shared_ptr<const ScannerProfile> scanner = nullptr;  ///< what `profile` says; parsed where it is not known yet
 };
 
 enum class SessionAccess { Read, Write };
@@ -64,8 +65,9 @@ class Session {
   /// @throws IoError when the file is gone, InvalidInput when it has changed or the session never had one.
   [[nodiscard]] Mesh object(const Progress& progress = {}) const;
 
-  /// Keeps a scan for ever, before anything is made of it. @return its number. @throws IoError as record
-  std::int64_t keepScan(const RangeImage& image);
+  /// Keeps a scan for ever, before anything is made of it. @throws InvalidInput for a scan of no position of the
+  /// profile; IoError as record
+  NumberedScan keepScan(RangeImage image);
   /// The last scan, when it is whole and no command has used it: a run was interrupted before it could be added.
   [[nodiscard]] std::optional<NumberedScan> unusedScan() const;
 

@@ -15,7 +15,9 @@
 namespace vantage {
 namespace {
 
-constexpr int kCompressionLevel = 1;
+// What is kept for ever is packed tightly, what can be made again quickly.
+constexpr int kTight = 1;
+constexpr int kQuick = -3;
 // No column of a session grows larger than this when it is unpacked.
 constexpr unsigned long long kMaxUnpacked = 1ULL << 30;
 
@@ -23,10 +25,10 @@ constexpr unsigned long long kMaxUnpacked = 1ULL << 30;
 constexpr unsigned long long kMaxRatio = 40000;
 
 // With a checksum, so that no flipped bit goes unnoticed.
-std::vector<std::byte> compressed(const std::vector<std::byte>& bytes) {
+std::vector<std::byte> compressed(const std::vector<std::byte>& bytes, int level) {
   const std::unique_ptr<ZSTD_CCtx, std::size_t (*)(ZSTD_CCtx*)> context(ZSTD_createCCtx(), &ZSTD_freeCCtx);
   if (!context) throw std::bad_alloc();
-  ZSTD_CCtx_setParameter(context.get(), ZSTD_c_compressionLevel, kCompressionLevel);
+  ZSTD_CCtx_setParameter(context.get(), ZSTD_c_compressionLevel, level);
   ZSTD_CCtx_setParameter(context.get(), ZSTD_c_checksumFlag, 1);
   std::vector<std::byte> packed(ZSTD_compressBound(bytes.size()));
   const std::size_t size = ZSTD_compress2(context.get(), packed.data(), packed.size(), bytes.data(), bytes.size());
@@ -44,13 +46,6 @@ std::vector<std::byte> decompressed(std::span<const std::byte> packed, const std
   const std::size_t got = ZSTD_decompress(bytes.data(), bytes.size(), packed.data(), packed.size());
   if (ZSTD_isError(got) != 0 || got != size) throw InvalidInput(what + " is damaged: it cannot be decompressed");
   return bytes;
-}
-
-std::vector<std::array<double, 3>> packed(const std::vector<Vec3>& points) {
-  std::vector<std::array<double, 3>> result;
-  result.reserve(points.size());
-  for (const Vec3& p : points) result.push_back({p.x(), p.y(), p.z()});
-  return result;
 }
 
 std::vector<Vec3> unpacked(const std::vector<std::array<double, 3>>& points) {
@@ -143,7 +138,7 @@ Pose poseFromBlob(std::span<const std::byte> blob, const std::string& what) {
 std::vector<std::byte> rangeBlob(const std::vector<float>& range) {
   BlobWriter writer;
   writer.list(range);
-  return compressed(writer.bytes());
+  return compressed(writer.bytes(), kTight);
 }
 
 std::vector<float> rangeFromBlob(std::span<const std::byte> blob, const std::string& what) {
@@ -164,8 +159,8 @@ std::vector<std::byte> raysBlob(const RayGrid& rays) {
     for (const Vec3& r : rays.receivers(i)) receivers.push_back(r);
   }
   BlobWriter writer;
-  for (const auto* list : {&origins, &directions, &receivers}) writer.list(packed(*list));
-  return compressed(writer.bytes());
+  for (const auto* list : {&origins, &directions, &receivers}) writer.list(*list);
+  return compressed(writer.bytes(), kTight);
 }
 
 RayGrid raysFromBlob(int rows, int columns, int receiversPerRay, std::span<const std::byte> blob,
@@ -185,13 +180,13 @@ RayGrid raysFromBlob(int rows, int columns, int receiversPerRay, std::span<const
 
 std::vector<std::byte> modelBlob(const Model& model) {
   BlobWriter writer;
-  writer.list(packed(model.mesh.vertices));
+  writer.list(model.mesh.vertices);
   writer.list(model.mesh.triangles);
   writer.list(model.confidence);
   writer.list(model.vertexView);
   writer.list(model.vertexSample);
   writer.list(model.triangleView);
-  return compressed(writer.bytes());
+  return compressed(writer.bytes(), kQuick);
 }
 
 Model modelFromBlob(std::span<const std::byte> blob, const std::string& what) {
@@ -215,9 +210,9 @@ Model modelFromBlob(std::span<const std::byte> blob, const std::string& what) {
 
 std::vector<std::byte> meshBlob(const Mesh& mesh) {
   BlobWriter writer;
-  writer.list(packed(mesh.vertices));
+  writer.list(mesh.vertices);
   writer.list(mesh.triangles);
-  return compressed(writer.bytes());
+  return compressed(writer.bytes(), kQuick);
 }
 
 Mesh meshFromBlob(std::span<const std::byte> blob, const std::string& what) {
@@ -245,7 +240,7 @@ std::vector<std::byte> planBlob(const Plan& plan) {
   for (const PatchOutlook& o : plan.outlook) promises.push_back(o.promise);
   writer.list(promises);
   for (const PositionScore& score : plan.scores) writer.list(score.patches);
-  return compressed(writer.bytes());
+  return compressed(writer.bytes(), kQuick);
 }
 
 void addFromPlanBlob(Plan& plan, std::span<const std::byte> blob, const std::string& what) {

@@ -54,6 +54,10 @@ void SessionStates::dropImpossible(StoredHistory& history) {
   }
 }
 
+bool SessionStates::exists(int position) const {
+  return position < 0 || (profile_ && position < static_cast<int>(profile_->workspace.size()));
+}
+
 std::shared_ptr<const RayGrid> SessionStates::raysOf(std::int64_t id) {
   if (id == 0) return profile_ ? profile_->rays : nullptr;
   std::shared_ptr<const RayGrid> rays = rays_[id].lock();
@@ -67,7 +71,7 @@ std::shared_ptr<const RangeImage> SessionStates::scan(std::int64_t number) {
   const std::string what = store_.path() + ": scan " + std::to_string(number);
   image.rays = raysOf(rays);
   if (!image.rays) throw InvalidInput(what + " has no rays: the profile is missing");
-  if (image.position >= 0 && (!profile_ || image.position >= static_cast<int>(profile_->workspace.size())))
+  if (!exists(image.position))
     throw InvalidInput(what + " is damaged: its position " + std::to_string(image.position) + " does not exist");
   try {
     validate(image);
@@ -79,15 +83,23 @@ std::shared_ptr<const RangeImage> SessionStates::scan(std::int64_t number) {
   return shared;
 }
 
-std::int64_t SessionStates::keep(const RangeImage& image) {
-  std::int64_t rays = 0;
+StoredScan SessionStates::keep(const RangeImage& image) {
+  if (!exists(image.position))
+    throw InvalidInput(store_.path() + ": a scan of position " + std::to_string(image.position) +
+                       ", which does not exist");
+  StoredScan scan;
   if (!profile_ || image.rays != profile_->rays) {
     const auto known =
         std::find_if(rays_.begin(), rays_.end(), [&](const auto& r) { return r.second.lock() == image.rays; });
-    rays = known == rays_.end() ? store_.addRays(*image.rays) : known->first;
-    rays_[rays] = image.rays;
+    scan.rays = known == rays_.end() ? store_.addRays(*image.rays) : known->first;
   }
-  return store_.addScan(image, rays);
+  scan.number = store_.addScan(image, scan.rays);
+  return scan;
+}
+
+void SessionStates::remember(const StoredScan& scan, const std::shared_ptr<const RangeImage>& image) {
+  if (scan.rays != 0) rays_[scan.rays] = image->rays;
+  scans_[scan.number] = image;
 }
 
 std::shared_ptr<const Model> SessionStates::model(std::int64_t step, std::size_t views) {

@@ -13,6 +13,12 @@
 
 namespace vantage {
 
+/// What a scan and its ray grid are called in the file; 0 is the profile's grid.
+struct StoredScan {
+  std::int64_t number = -1;
+  std::int64_t rays = 0;
+};
+
 /// Builds the states of a session from the pieces in its file. A piece that somebody holds is handed out again, so that
 /// states share what did not change; one that nobody holds is not in memory. What is damaged is left out and named.
 class SessionStates {
@@ -39,8 +45,10 @@ class SessionStates {
   [[nodiscard]] std::shared_ptr<const Model> model(std::int64_t step, std::size_t views);
   [[nodiscard]] std::shared_ptr<const Plan> plan(std::int64_t step);
 
-  /// Writes a scan. @return its number
-  [[nodiscard]] std::int64_t keep(const RangeImage& image);
+  /// Writes a scan. @throws InvalidInput for one of no position
+  [[nodiscard]] StoredScan keep(const RangeImage& image);
+  /// A scan that was written for good.
+  void remember(const StoredScan& scan, const std::shared_ptr<const RangeImage>& image);
 
   /// What a state that follows another consists of, and which of it is new.
   [[nodiscard]] StateOutline outline(const AcquisitionState& state, const StateOutline& before, std::int64_t step);
@@ -48,6 +56,8 @@ class SessionStates {
   void remember(const StateOutline& outline, const AcquisitionState& state);
 
  private:
+  /// Whether scans can be of a position; -1 is that of recorded ones.
+  [[nodiscard]] bool exists(int position) const;
   [[nodiscard]] std::shared_ptr<const RayGrid> raysOf(std::int64_t id);
   [[nodiscard]] bool fits(const Plan& plan) const;
   [[nodiscard]] std::shared_ptr<const ViewMesh> meshOf(std::int64_t scan, const RangeImage& image,

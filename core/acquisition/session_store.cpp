@@ -202,13 +202,6 @@ void SessionStore::addStep(const HistoryEntry& entry, std::int64_t parent, const
   addViews(entry, outline.views, "in");
   addViews(entry, outline.rejected, "rejected");
   addViews(entry, outline.leftOut, "left out");
-  if (outline.modelStep == entry.step) {
-    database_.prepare("INSERT OR REPLACE INTO model VALUES(?, ?)")
-        .bind(1, entry.step)
-        .bind(2, std::span<const std::byte>(modelBlob(*state.model)))
-        .run();
-    thinModels(entry.step);
-  }
   if (!outline.views.empty() && outline.views.back().planStep == entry.step)
     database_.prepare("INSERT OR REPLACE INTO plan VALUES(?, ?, ?)")
         .bind(1, entry.step)
@@ -217,6 +210,14 @@ void SessionStore::addStep(const HistoryEntry& entry, std::int64_t parent, const
         .run();
   setMeta("tip", std::to_string(entry.step));
   moveCursor(entry.step, std::string(kindOf(entry.command)));
+}
+
+void SessionStore::addModel(std::int64_t step, const std::vector<std::byte>& blob) {
+  database_.prepare("INSERT OR REPLACE INTO model VALUES(?, ?)")
+      .bind(1, step)
+      .bind(2, std::span<const std::byte>(blob))
+      .run();
+  thinModels(step);
 }
 
 void SessionStore::moveCursor(std::int64_t step, const std::string& what) {

@@ -63,10 +63,12 @@ class SessionStore {
   [[nodiscard]] std::shared_ptr<const Model> model(std::int64_t step);
   [[nodiscard]] std::shared_ptr<const Plan> plan(std::int64_t step);
 
-  /// A step with what is new in it, and the cursor on it.
+  /// A step with what is new in it except its model, and the cursor on it.
   void addStep(const HistoryEntry& entry, std::int64_t parent, const AcquisitionState& state);
   void moveCursor(std::int64_t step, const std::string& what);
   [[nodiscard]] std::int64_t nextStep();
+  /// The model that a step led to, as modelBlob packs it.
+  void addModel(std::int64_t step, const std::vector<std::byte>& blob);
 
  private:
   void addViews(const HistoryEntry& entry, const std::vector<OutlinedView>& views, const char* status);

@@ -2,6 +2,7 @@
 
 #include <sqlite3.h>
 
+#include <atomic>
 #include <limits>
 #include <map>
 
@@ -17,7 +18,7 @@ struct Disk {
   // Databases and their logs are written by different tables of the same functions.
   std::map<const sqlite3_io_methods*, sqlite3_io_methods> faultyMethods;
   int (*realWrite)(sqlite3_file*, const void*, int, sqlite3_int64) = nullptr;
-  int writesLeft = kRoomForAll;
+  std::atomic<int> writesLeft = kRoomForAll;
 };
 
 Disk& disk() {
@@ -26,8 +27,10 @@ Disk& disk() {
 }
 
 int faultyWrite(sqlite3_file* file, const void* data, int size, sqlite3_int64 offset) {
-  if (disk().writesLeft == 0) return SQLITE_FULL;
-  if (disk().writesLeft != kRoomForAll) --disk().writesLeft;
+  int left = disk().writesLeft;
+  while (left != 0 && left != kRoomForAll && !disk().writesLeft.compare_exchange_weak(left, left - 1)) {
+  }
+  if (left == 0) return SQLITE_FULL;
   return disk().realWrite(file, data, size, offset);
 }
 

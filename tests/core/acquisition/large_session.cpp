@@ -45,15 +45,15 @@ void writeLargeSession(const std::string& path, int views) {
   AcquisitionState state = *session.state();
   state.model = anyModel();
   for (int i = 0; i < views; ++i) {
-    const std::int64_t number = session.keepScan(wavyWall(rays, i));
+    const NumberedScan scan = session.keepScan(wavyWall(rays, i));
     View view;
-    view.image = session.scan(number);
+    view.image = scan.image;
     ViewRecord record;
-    record.scan = number;
+    record.scan = scan.number;
     record.samples = rays->size();
     state.views.push_back(std::move(view));
     state.records.push_back(std::move(record));
-    session.record(AddScan{number, {}}, state);
+    session.record(AddScan{scan.number, {}}, state);
   }
 }
 

@@ -74,7 +74,7 @@ class Walk {
   void add(const AcquisitionState& state) {
     const int position = state.views.empty() ? 0 : (state.views.back().image->position + 2) % 24;
     SimulatedScanner scanner(testing::smallObject(), session_.profile(), {}, static_cast<int>(session_.scanCount()));
-    apply(AddScan{session_.keepScan(scanner.scan(position, Progress())), {}});
+    apply(AddScan{session_.keepScan(scanner.scan(position, Progress())).number, {}});
     ++added_;
   }
 

@@ -101,6 +101,24 @@ TEST_F(SessionFaults, ADiskThatRunsFullAtAnyWriteLosesNothingThatWasReported) {
   EXPECT_EQ(modelBlob(*session.state()->model), modelBlob(*undisturbed().model));
 }
 
+// The first recorded scan brings its rays along: a scan that could not be written must not leave the session believing
+// that it has them.
+TEST_F(SessionFaults, ARecordedScanThatFoundNoRoomIsKeptWithItsRaysLater) {
+  testing::FaultyStorage storage;
+  Session session = Session::create(path(), {std::nullopt, {}, nullptr});
+  SimulatedScanner scanner(testing::smallObject(), testing::smallProfile(), {});
+  RangeImage image = scanner.scan(0, Progress());
+  image.position = -1;
+  storage.fillAfter(0);
+  expectError<IoError>([&] { session.keepScan(image); }, {"disk is full"});
+  storage.heal();
+  EXPECT_EQ(session.scanCount(), 0);
+  EXPECT_EQ(session.keepScan(image).number, 0);
+  const Session read = Session::open(path(), SessionAccess::Read);
+  EXPECT_EQ(raysBlob(*read.scan(0)->rays), raysBlob(*image.rays));
+  EXPECT_EQ(rangeBlob(read.scan(0)->range), rangeBlob(image.range));
+}
+
 TEST_F(SessionFaults, AScannerThatFailsInTheMiddleOfAScanLeavesTheLastStepWhole) {
   Session session = createSmallSession(path(), threeViews());
   expectError<DeviceError>([&] { acquireMeeting(session, [] { throw DeviceError("laser: no light"); }); },

@@ -161,12 +161,46 @@ TEST_F(SessionTest, AScanThatWasNotYetAddedIsUsedBeforeAnotherIsTaken) {
   const AcquisitionState whole = saveTwoViews();
   Session session = createSmallSession(path(), twoViews());
   SimulatedScanner scanner(testing::smallObject(), session.profile(), {});
-  EXPECT_EQ(session.keepScan(scanner.scan(0, Progress())), 0);
+  EXPECT_EQ(session.keepScan(scanner.scan(0, Progress())).number, 0);
   ASSERT_TRUE(session.unusedScan());
   static_cast<void>(runSmallSession(session, recordIn(session)));
   EXPECT_EQ(session.scanCount(), 2);
   EXPECT_FALSE(session.unusedScan());
   EXPECT_EQ(modelBlob(*session.state()->model), modelBlob(*whole.model));
+}
+
+TEST_F(SessionTest, AScanOfAPositionThatDoesNotExistIsRefused) {
+  Session session = createSmallSession(path(), twoViews());
+  SimulatedScanner scanner(testing::smallObject(), session.profile(), {});
+  RangeImage image = scanner.scan(0, Progress());
+  image.position = 24;
+  expectError<InvalidInput>([&] { session.keepScan(image); }, {"test.vantage", "position 24"});
+  EXPECT_EQ(session.scanCount(), 0);
+}
+
+// Earlier sessions have pages of another size.
+TEST_F(SessionTest, IsCopiedWithPagesOfAnySize) {
+  const AcquisitionState saved = saveTwoViews();
+  for (const char* size : {"4096", "65536"}) {
+    {
+      Database database(path(), Database::Mode::Write);
+      database.run("PRAGMA journal_mode=DELETE");
+      database.run(std::string("PRAGMA page_size=") + size);
+      database.run("VACUUM");
+    }
+    Session session = Session::open(path(), SessionAccess::Write);
+    session.setNote("page", size);
+    const std::string copy = folder_.file(std::string("copy-") + size + ".vantage");
+    session.copyTo(copy);
+    const Session read = Session::open(copy, SessionAccess::Read);
+    EXPECT_EQ(stateHash(*read.state()), stateHash(saved));
+    EXPECT_EQ(read.note("page"), size);
+    Database pages(copy, Database::Mode::Read);
+    Statement row = pages.prepare("PRAGMA page_size");
+    ASSERT_TRUE(row.step());
+    EXPECT_EQ(row.text(0), size);
+    EXPECT_EQ(stateHash(*Session::open(copy, SessionAccess::Write).state()), stateHash(saved));
+  }
 }
 
 TEST_F(SessionTest, KeepsTheRaysOfRecordedScansOnce) {
