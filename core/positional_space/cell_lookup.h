@@ -1,5 +1,7 @@
 #pragma once
 
+#include <emmintrin.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -21,11 +23,32 @@ struct FanRange {
   SlopeRange up;
 };
 
+/// An occupied cell with all that tells whether a source is seen through it: one line of the cache.
+struct alignas(64) FannedCell {
+  std::array<float, 2> slope;  ///< as in OccupiedCell
+  std::array<float, 4> fan;
+  std::array<float, 2> range;  ///< [mm^2] squared distances from the surface cell between which a source is in range
+  std::uint32_t number;        ///< in ScannerImages::Data::cells
+  std::uint32_t receiverSide;
+};
+
+/// An occupied cell that may be seen through a surface cell: the surface cell's column and the place of the FannedCell.
+struct SeenCell {
+  std::uint32_t column;
+  std::uint32_t place;
+};
+
+/// First and last step of a range of slopes.
+struct StepRange {
+  std::int32_t first;
+  std::int32_t last;
+};
+
 /// Finds the occupied cells of a surface cell by slope: those whose ranging rays, fanned over the surface cell, overlap
 /// a range of slopes. Surface cells are those of one period, as stored in ScannerImages::Data.
 class CellLookup {
  public:
-  static constexpr int kStepsUp = 32;
+  static constexpr int kStepsUp = 8;
   static constexpr int kStepsAcross = 64;
 
   explicit CellLookup(const ScannerImages& scanner);
@@ -36,43 +59,56 @@ class CellLookup {
   /// The step of a folded slope.
   [[nodiscard]] static int stepOf(float folded, int steps) {
     const float step = (folded + 1.0F) * (0.5F * static_cast<float>(steps));
-    return static_cast<int>(std::clamp(step, 0.0F, static_cast<float>(steps - 1)));
+    return static_cast<int>(std::min(std::max(step, 0.0F), static_cast<float>(steps - 1)));
   }
 
   /// Bounds of the fans of all occupied cells of a surface cell; low > high when there are none.
   [[nodiscard]] const SlopeRange& upRange(std::size_t surfaceCell) const { return lists_[surfaceCell].all; }
 
-  /// Most occupied cells of a surface cell.
-  [[nodiscard]] std::size_t longest() const { return longest_; }
+  /// Steps of the slopes up that are in use in a surface cell; none when it has no occupied cells.
+  [[nodiscard]] StepRange stepsUp(std::size_t surfaceCell) const {
+    return {lists_[surfaceCell].firstUp, lists_[surfaceCell].lastUp};
+  }
+  /// By how much of a folded slope up the fans of a surface cell reach beyond their middle.
+  [[nodiscard]] float margin(std::size_t surfaceCell) const { return lists_[surfaceCell].margin; }
 
-  /// Writes the numbers of the occupied cells whose fan overlaps `seen` to `found`, which has room for longest().
-  /// @param firstAcross, lastAcross steps of the folded seen.across
+  /// How many places `findOverlapping` may write to.
+  [[nodiscard]] std::size_t room() const { return longest_ + kLanes; }
+
+  /// Writes the occupied cells of a surface cell whose fan overlaps `seen` to `found`, with the column.
+  /// @param across steps of the folded seen.across
+  /// @param up steps of the folded seen.up, widened by the margin, within stepsUp
   /// @return how many.
-  std::size_t findOverlapping(std::size_t surfaceCell, const FanRange& seen, int firstAcross, int lastAcross,
-                              std::uint32_t* found) const {
+  std::size_t findOverlapping(std::size_t surfaceCell, const FanRange& seen, StepRange across, StepRange up,
+                              std::uint32_t column, SeenCell* found) const {
     const List& list = lists_[surfaceCell];
-    int first = list.firstUp;
-    int last = list.lastUp;
-    if (first < last) {
-      first = std::max(first, stepOf(folded(seen.up.low) - list.margin, kStepsUp));
-      last = std::min(last, stepOf(folded(seen.up.high) + list.margin, kStepsUp));
-    }
+    const __m128 lowAcross = _mm_set1_ps(seen.across.low);
+    const __m128 highAcross = _mm_set1_ps(seen.across.high);
+    const __m128 lowUp = _mm_set1_ps(seen.up.low);
+    const __m128 highUp = _mm_set1_ps(seen.up.high);
     std::size_t count = 0;
-    for (int step = first; step <= last; ++step) {
+    for (int step = up.first; step <= up.last; ++step) {
       const auto* ranges = &steps_[list.start + static_cast<std::size_t>((step - list.firstUp) * kStepsAcross)];
-      const std::uint32_t end = ranges[lastAcross][1];
-      for (std::uint32_t k = ranges[firstAcross][0]; k < end; ++k) {
+      const std::uint32_t end = ranges[across.last][1];
+      for (std::uint32_t k = ranges[across.first][0]; k < end; k += kLanes) {
+        const __m128 overAcross = _mm_and_ps(_mm_cmpge_ps(_mm_loadu_ps(&reach_.highAcross[k]), lowAcross),
+                                             _mm_cmple_ps(_mm_loadu_ps(&reach_.lowAcross[k]), highAcross));
+        const __m128 overUp = _mm_and_ps(_mm_cmpge_ps(_mm_loadu_ps(&reach_.highUp[k]), lowUp),
+                                         _mm_cmple_ps(_mm_loadu_ps(&reach_.lowUp[k]), highUp));
+        unsigned overlap = static_cast<unsigned>(_mm_movemask_ps(_mm_and_ps(overAcross, overUp)));
+        // Those of the next step.
+        overlap &= 0xfU >> (kLanes - std::min(kLanes, end - k));
         // Counted rather than branched on: which cells overlap cannot be predicted.
-        const FanRange& fan = fans_[k];
-        const int overlap = static_cast<int>(fan.across.high >= seen.across.low) &
-                            static_cast<int>(fan.across.low <= seen.across.high) &
-                            static_cast<int>(fan.up.high >= seen.up.low) & static_cast<int>(fan.up.low <= seen.up.high);
-        found[count] = order_[k];
-        count += static_cast<std::size_t>(overlap);
+        for (std::uint32_t lane = 0; lane < kLanes; ++lane) {
+          found[count] = {column, k + lane};
+          count += overlap >> lane & 1U;
+        }
       }
     }
     return count;
   }
+
+  [[nodiscard]] const FannedCell& cell(std::uint32_t place) const { return cells_[place]; }
 
  private:
   struct List {
@@ -83,15 +119,22 @@ class CellLookup {
     SlopeRange all{};
   };
 
-  void addFan(const SurfaceCell& surface, const OccupiedCell& cell);
-  void addList(const ScannerImages::Data& data, std::uint32_t begin, std::uint32_t end);
+  static constexpr std::uint32_t kLanes = 4;
+
+  // Slopes that the ranging rays of a cell have, fanned over the surface cell; kLanes more than there are cells.
+  struct Reach {
+    std::vector<float> lowAcross, highAcross, lowUp, highUp;
+  };
+
+  void addCell(const ScannerImages::Data& data, const SurfaceCell& surface, std::uint32_t number);
+  void addList(std::uint32_t begin, std::uint32_t end);
   void addSteps(std::uint32_t first, std::uint32_t last);
 
-  std::vector<std::uint32_t> order_;  // occupied cells by surface cell, step of the slope up, slope across
-  std::vector<FanRange> fans_;        // in that order
-  std::vector<List> lists_;           // per surface cell
+  std::vector<FannedCell> cells_;  // by surface cell, step of the slope up, slope across
+  Reach reach_;                    // likewise
+  std::vector<List> lists_;        // per surface cell
   std::size_t longest_ = 0;
-  // Per step up and step across where in order_ those cells begin and end whose fan reaches into the step.
+  // Per step up and step across where in cells_ those cells begin and end whose fan reaches into the step.
   std::vector<std::array<std::uint32_t, 2>> steps_;
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace vantage {
 namespace {
@@ -28,9 +29,6 @@ ObservationRays::ObservationRays(const ScannerImages& scanner, const CellLookup&
   addColumns();
   for (std::size_t row = 0; row < static_cast<std::size_t>(scanner.grid().rows()); ++row) addRow(row);
   rows_.reached.resize(rows_.z.size());
-  addRanges();
-  // The search writes one beyond what it keeps.
-  overlapping_.resize(lookup.longest() + 1);
 }
 
 void ObservationRays::addColumns() {
@@ -38,12 +36,18 @@ void ObservationRays::addColumns() {
     const Vec3& across = scanner_.grid().surfaceCell(0, column).across;
     columns_.cosine.push_back(static_cast<float>(across.y()));
     columns_.sine.push_back(static_cast<float>(-across.x()));
+    const auto j = static_cast<std::size_t>(column);
+    columns_.inPeriod.push_back(static_cast<std::uint32_t>(j % columnsPerPeriod_));
+    columns_.firstCell.push_back(static_cast<std::uint32_t>(j / columnsPerPeriod_ * scanner_.data().cells.size()));
   }
   const std::size_t count = columns_.cosine.size();
   for (auto* list : {&columns_.along, &columns_.aside, &columns_.normalAlong, &views_.ahead, &views_.across, &views_.up,
-                     &views_.low, &views_.high, &views_.lowUp, &views_.highUp})
+                     &views_.front, &views_.square, &views_.normalAcross, &views_.normalUp, &views_.low, &views_.high,
+                     &views_.lowUp, &views_.highUp})
     list->resize(count);
-  for (auto* list : {&columns_.keep, &views_.firstStep, &views_.lastStep}) list->resize(count);
+  for (auto* list : {&columns_.keep, &columns_.matches, &views_.firstStep, &views_.lastStep, &views_.firstStepUp,
+                     &views_.lastStepUp})
+    list->resize(count);
 }
 
 void ObservationRays::addRow(std::size_t row) {
@@ -60,21 +64,16 @@ void ObservationRays::addRow(std::size_t row) {
   const double slack = std::hypot(cell.widest(), cell.halfHeight) * (1.0 + static_cast<double>(minCosine_));
   rows_.slack.push_back(static_cast<float>(slack));
   for (std::size_t column = 0; column < columns_.cosine.size(); ++column) {
-    const SlopeRange& range = lookup_.upRange(row * columnsPerPeriod_ + column % columnsPerPeriod_);
-    low_.push_back(range.low);
-    high_.push_back(range.high);
+    const std::size_t stored = row * columnsPerPeriod_ + columns_.inPeriod[column];
+    low_.push_back(lookup_.upRange(stored).low);
+    high_.push_back(lookup_.upRange(stored).high);
+    margin_.push_back(lookup_.margin(stored));
+    firstUp_.push_back(lookup_.stepsUp(stored).first);
+    lastUp_.push_back(lookup_.stepsUp(stored).last);
   }
   const auto columns = static_cast<std::ptrdiff_t>(columns_.cosine.size());
   rows_.low.push_back(*std::min_element(low_.end() - columns, low_.end()));
   rows_.high.push_back(*std::max_element(high_.end() - columns, high_.end()));
-}
-
-void ObservationRays::addRanges() {
-  for (const OccupiedCell& cell : scanner_.data().cells) {
-    const double nearest = std::max(scanner_.data().minRange - static_cast<double>(cell.sourceDistance), 0.0);
-    const double farthest = std::max(scanner_.data().maxRange - static_cast<double>(cell.sourceDistance), 0.0);
-    range_.push_back({static_cast<float>(nearest * nearest), static_cast<float>(farthest * farthest)});
-  }
 }
 
 void ObservationRays::face(const ObservationSource& source, std::uint32_t index) {
@@ -153,15 +152,16 @@ void ObservationRays::markColumns(std::size_t r, Purpose purpose) {
   const float* along = columns_.along.data();
   const float* normalAlong = columns_.normalAlong.data();
   std::int32_t* keep = columns_.keep.data();
+  std::int32_t* matches = columns_.matches.data();
   for (std::size_t j = 0; j < count; ++j) {
     const float f = front + axial * normalAlong[j];
     const float l2 = square - 2.0F * axial * along[j];
     const float h = ahead - normalAxial * along[j];
     const float v = up + normalZ * along[j];
-    const auto matches = static_cast<std::int32_t>(v <= h * high[j] + halfHeight) &
-                         static_cast<std::int32_t>(v >= h * low[j] - halfHeight);
+    matches[j] = static_cast<std::int32_t>(v <= h * high[j] + halfHeight) &
+                 static_cast<std::int32_t>(v >= h * low[j] - halfHeight);
     keep[j] = static_cast<std::int32_t>(f > 0.0F) & static_cast<std::int32_t>(f * f >= limit * l2) &
-              static_cast<std::int32_t>(h > kLeastDistance) & (all | matches);
+              static_cast<std::int32_t>(h > kLeastDistance) & (all | matches[j]);
   }
 }
 
@@ -201,6 +201,20 @@ void ObservationRays::viewRun(std::size_t r, std::size_t begin, std::size_t end)
     across[j] = -aside[j];
     up[j] = normalAxial * rise - normalZ * beyond;
   }
+  float* front = views_.front.data();
+  float* square = views_.square.data();
+  float* normalAcross = views_.normalAcross.data();
+  float* normalUp = views_.normalUp.data();
+  const float* normalAlong = columns_.normalAlong.data();
+  const float* cosine = columns_.cosine.data();
+  const float* sine = columns_.sine.data();
+  for (std::size_t j = begin; j < end; ++j) {
+    normalAcross[j] = cosine[j] * source_.ny - sine[j] * source_.nx;
+    normalUp[j] = normalAxial * source_.nz - normalZ * normalAlong[j];
+    const float normalAhead = normalAxial * normalAlong[j] + normalZ * source_.nz;
+    front[j] = ahead[j] * normalAhead + across[j] * normalAcross[j] + up[j] * normalUp[j];
+    square[j] = ahead[j] * ahead[j] + across[j] * across[j] + up[j] * up[j];
+  }
   float* low = views_.low.data();
   float* high = views_.high.data();
   float* lowUp = views_.lowUp.data();
@@ -212,111 +226,140 @@ void ObservationRays::viewRun(std::size_t r, std::size_t begin, std::size_t end)
     lowUp[j] = (up[j] - halfHeight) * inverse;
     highUp[j] = (up[j] + halfHeight) * inverse;
   }
+  viewSteps(r, begin, end);
+}
+
+void ObservationRays::viewSteps(std::size_t row, std::size_t begin, std::size_t end) {
+  const float* low = views_.low.data();
+  const float* high = views_.high.data();
+  const float* lowUp = views_.lowUp.data();
+  const float* highUp = views_.highUp.data();
+  const float* margin = &margin_[row * columns_.cosine.size()];
+  const std::int32_t* firstUp = &firstUp_[row * columns_.cosine.size()];
+  const std::int32_t* lastUp = &lastUp_[row * columns_.cosine.size()];
   std::int32_t* firstStep = views_.firstStep.data();
   std::int32_t* lastStep = views_.lastStep.data();
-  for (std::size_t j = begin; j < end; ++j) {
-    firstStep[j] = CellLookup::stepOf(CellLookup::folded(low[j]), CellLookup::kStepsAcross);
-    lastStep[j] = CellLookup::stepOf(CellLookup::folded(high[j]), CellLookup::kStepsAcross);
-  }
+  std::int32_t* firstStepUp = views_.firstStepUp.data();
+  std::int32_t* lastStepUp = views_.lastStepUp.data();
+  const auto stepAcross = [](float slope) {
+    return CellLookup::stepOf(CellLookup::folded(slope), CellLookup::kStepsAcross);
+  };
+  const auto stepUp = [](float slope, float widened) {
+    return CellLookup::stepOf(CellLookup::folded(slope) + widened, CellLookup::kStepsUp);
+  };
+  for (std::size_t j = begin; j < end; ++j) firstStep[j] = stepAcross(low[j]);
+  for (std::size_t j = begin; j < end; ++j) lastStep[j] = stepAcross(high[j]);
+  for (std::size_t j = begin; j < end; ++j) firstStepUp[j] = std::max(firstUp[j], stepUp(lowUp[j], -margin[j]));
+  for (std::size_t j = begin; j < end; ++j) lastStepUp[j] = std::min(lastUp[j], stepUp(highUp[j], margin[j]));
 }
 
 void ObservationRays::appendRun(std::size_t row, std::size_t begin, std::size_t end, ObservationBatch& batch) {
   viewRun(row, begin, end);
-  for (std::size_t j = begin; j < end; ++j) {
-    aims_.clear();
-    const FanRange seen{{views_.low[j], views_.high[j]}, {views_.lowUp[j], views_.highUp[j]}};
-    const std::size_t count = lookup_.findOverlapping(row * columnsPerPeriod_ + j % columnsPerPeriod_, seen,
-                                                      views_.firstStep[j], views_.lastStep[j], overlapping_.data());
-    if (count > 0) {
-      const Middle middle = middleOf(row, j);
-      for (std::size_t k = 0; k < count; ++k) aimAt(row, j, middle, overlapping_[k]);
-    }
-    if (!aims_.empty())
-      emitAims(row, j, batch);
-    else if (!options_.prune)
-      emitMiddle(row, j, batch);
+  findSeen(row, begin, end);
+  aim(row);
+  std::size_t next = begin;
+  for (std::size_t a = 0; a < aimCount_;) {
+    const std::size_t column = aims_[a].column;
+    const std::size_t first = a;
+    while (a < aimCount_ && aims_[a].column == column) ++a;
+    if (!options_.prune) emitMiddles(row, std::exchange(next, column + 1), column, batch);
+    emitAims(row, std::span(aims_).subspan(first, a - first), batch);
   }
+  if (!options_.prune) emitMiddles(row, next, end, batch);
 }
 
-ObservationRays::Middle ObservationRays::middleOf(std::size_t row, std::size_t column) const {
-  const Source& s = source_;
-  const float along = columns_.normalAlong[column];
-  Middle m{};
-  m.normalAcross = columns_.cosine[column] * s.ny - columns_.sine[column] * s.nx;
-  m.normalUp = rows_.normalAxial[row] * s.nz - rows_.normalZ[row] * along;
-  const float normalAhead = rows_.normalAxial[row] * along + rows_.normalZ[row] * s.nz;
-  const float h = views_.ahead[column];
-  const float u = views_.across[column];
-  const float v = views_.up[column];
-  m.front = h * normalAhead + u * m.normalAcross + v * m.normalUp;
-  m.square = h * h + u * u + v * v;
-  return m;
+void ObservationRays::findSeen(std::size_t row, std::size_t begin, std::size_t end) {
+  seenCount_ = 0;
+  for (std::size_t j = begin; j < end; ++j) {
+    if (columns_.matches[j] == 0) continue;
+    if (seen_.size() < seenCount_ + lookup_.room()) seen_.resize(2 * (seenCount_ + lookup_.room()));
+    const FanRange slopes{{views_.low[j], views_.high[j]}, {views_.lowUp[j], views_.highUp[j]}};
+    seenCount_ += lookup_.findOverlapping(
+        row * columnsPerPeriod_ + columns_.inPeriod[j], slopes, {views_.firstStep[j], views_.lastStep[j]},
+        {views_.firstStepUp[j], views_.lastStepUp[j]}, static_cast<std::uint32_t>(j), &seen_[seenCount_]);
+  }
 }
 
 // Solves delta = (I - h K)^-1 (h a - d): where in the surface cell the ranging ray through the source crosses it. Kept
 // when that is inside, within the breakdown angle and the source within range.
-void ObservationRays::aimAt(std::size_t row, std::size_t column, const Middle& middle, std::uint32_t number) {
-  const OccupiedCell& cell = scanner_.data().cells[number];
-  const float h = views_.ahead[column];
-  const float u = views_.across[column];
-  const float v = views_.up[column];
-  const float a = 1.0F - h * cell.fan[0];
-  const float d = 1.0F - h * cell.fan[3];
-  const float b = h * cell.fan[1];
-  const float e = h * cell.fan[2];
-  const float offAcross = h * cell.slope[0] - u;
-  const float offUp = h * cell.slope[1] - v;
-  const float inverse = 1.0F / (a * d - b * e);
-  const float across = (d * offAcross + b * offUp) * inverse;
-  const float up = (e * offAcross + a * offUp) * inverse;
-  const float front = middle.front + across * middle.normalAcross + up * middle.normalUp;
-  const float square = middle.square + 2.0F * (across * u + up * v) + across * across + up * up;
-  const float halfWidth = rows_.halfWidth[row] * (1.0F - rows_.taper[row] * up);
-  const int inside = static_cast<int>(std::abs(up) <= rows_.halfHeight[row]) &
-                     static_cast<int>(std::abs(across) <= halfWidth) & static_cast<int>(front > 0.0F) &
-                     static_cast<int>(front * front >= minCosine_ * minCosine_ * square) &
-                     static_cast<int>(square >= range_[number][0]) & static_cast<int>(square <= range_[number][1]);
-  if (inside != 0) aims_.push_back({number, cell.receiverSide, across, up, front, square});
+void ObservationRays::aim(std::size_t row) {
+  const float limit = minCosine_ * minCosine_;
+  const float halfHeight = rows_.halfHeight[row];
+  const float fullWidth = rows_.halfWidth[row];
+  const float taper = rows_.taper[row];
+  aimCount_ = 0;
+  if (aims_.size() <= seenCount_) aims_.resize(2 * seenCount_ + 1);
+  for (std::size_t k = 0; k < seenCount_; ++k) {
+    const std::size_t j = seen_[k].column;
+    const FannedCell& cell = lookup_.cell(seen_[k].place);
+    const float h = views_.ahead[j];
+    const float u = views_.across[j];
+    const float v = views_.up[j];
+    const float a = 1.0F - h * cell.fan[0];
+    const float d = 1.0F - h * cell.fan[3];
+    const float b = h * cell.fan[1];
+    const float e = h * cell.fan[2];
+    const float offAcross = h * cell.slope[0] - u;
+    const float offUp = h * cell.slope[1] - v;
+    const float inverse = 1.0F / (a * d - b * e);
+    const float across = (d * offAcross + b * offUp) * inverse;
+    const float up = (e * offAcross + a * offUp) * inverse;
+    const float front = views_.front[j] + across * views_.normalAcross[j] + up * views_.normalUp[j];
+    const float square = views_.square[j] + 2.0F * (across * u + up * v) + across * across + up * up;
+    const float halfWidth = fullWidth * (1.0F - taper * up);
+    const int inside = static_cast<int>(std::abs(up) <= halfHeight) & static_cast<int>(std::abs(across) <= halfWidth) &
+                       static_cast<int>(front > 0.0F) & static_cast<int>(front * front >= limit * square) &
+                       static_cast<int>(square >= cell.range[0]) & static_cast<int>(square <= cell.range[1]);
+    aims_[aimCount_] = {seen_[k].column, cell.number, cell.receiverSide, across, up, front, square};
+    aimCount_ += static_cast<std::size_t>(inside);
+  }
 }
 
-void ObservationRays::emitAims(std::size_t row, std::size_t column, ObservationBatch& batch) {
-  const auto shift = static_cast<std::uint32_t>(column / columnsPerPeriod_ * scanner_.data().cells.size());
-  if (aims_.size() == 1) {
-    const Aim& aim = aims_.front();
+void ObservationRays::emitAims(std::size_t row, std::span<Aim> aims, ObservationBatch& batch) const {
+  if (aims.size() == 1) {
+    const Aim& aim = aims.front();
     batch.observations.push_back({source_.index, static_cast<std::uint32_t>(batch.cells.size()), 1});
-    batch.cells.push_back({aim.cell + shift, aim.front, aim.square});
-    emitRay(row, column, aim.across, aim.up, batch);
+    batch.cells.push_back({aim.cell + columns_.firstCell[aim.column], aim.front, aim.square});
+    emitRay(row, aim.column, aim.across, aim.up, batch);
     return;
   }
-  while (!aims_.empty()) emitTogether(row, column, shift, batch);
+  while (!aims.empty()) aims = aims.first(emitTogether(row, aims, batch));
 }
 
 // Takes out the aim nearest to the middle and all with receivers on its side that are close to it: one observation ray.
-void ObservationRays::emitTogether(std::size_t row, std::size_t column, std::uint32_t shift, ObservationBatch& batch) {
+// @return how many are left, in front.
+std::size_t ObservationRays::emitTogether(std::size_t row, std::span<Aim> aims, ObservationBatch& batch) const {
   const auto off = [](const Aim& a) { return a.across * a.across + a.up * a.up; };
   const auto nearest =
-      std::min_element(aims_.begin(), aims_.end(), [&](const Aim& a, const Aim& b) { return off(a) < off(b); });
+      std::min_element(aims.begin(), aims.end(), [&](const Aim& a, const Aim& b) { return off(a) < off(b); });
   const Aim aim = *nearest;
-  aims_.erase(nearest);
+  const std::uint32_t shift = columns_.firstCell[aim.column];
   const auto first = static_cast<std::uint32_t>(batch.cells.size());
   batch.cells.push_back({aim.cell + shift, aim.front, aim.square});
-  const float near = together_ * views_.ahead[column] * views_.ahead[column];
-  std::erase_if(aims_, [&](const Aim& other) {
-    const float across = other.across - aim.across;
-    const float up = other.up - aim.up;
-    if (other.side != aim.side || across * across + up * up > near) return false;
-    batch.cells.push_back({other.cell + shift, other.front, other.square});
-    return true;
-  });
+  const float near = together_ * views_.ahead[aim.column] * views_.ahead[aim.column];
+  std::size_t left = 0;
+  for (auto other = aims.begin(); other != aims.end(); ++other) {
+    if (other == nearest) continue;
+    const float across = other->across - aim.across;
+    const float up = other->up - aim.up;
+    if (other->side != aim.side || across * across + up * up > near)
+      aims[left++] = *other;
+    else
+      batch.cells.push_back({other->cell + shift, other->front, other->square});
+  }
   batch.observations.push_back({source_.index, first, static_cast<std::uint32_t>(batch.cells.size()) - first});
-  emitRay(row, column, aim.across, aim.up, batch);
+  emitRay(row, aim.column, aim.across, aim.up, batch);
+  return left;
 }
 
-void ObservationRays::emitMiddle(std::size_t row, std::size_t column, ObservationBatch& batch) const {
-  const Middle m = middleOf(row, column);
-  if (m.front <= 0.0F || m.front * m.front < minCosine_ * minCosine_ * m.square) return;
-  batch.observations.push_back({source_.index, 0, 0});
-  emitRay(row, column, 0.0F, 0.0F, batch);
+void ObservationRays::emitMiddles(std::size_t row, std::size_t begin, std::size_t end, ObservationBatch& batch) const {
+  const float limit = minCosine_ * minCosine_;
+  for (std::size_t j = begin; j < end; ++j) {
+    const float front = views_.front[j];
+    if (front <= 0.0F || front * front < limit * views_.square[j]) continue;
+    batch.observations.push_back({source_.index, 0, 0});
+    emitRay(row, j, 0.0F, 0.0F, batch);
+  }
 }
 
 // Appends the ray to a point of a surface cell.

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "geometry/ray_caster.h"
@@ -77,17 +78,24 @@ class ObservationRays {
   struct Columns {
     std::vector<float> cosine;
     std::vector<float> sine;
-    std::vector<float> along;        // of the source's centre, along the column's direction
-    std::vector<float> aside;        // and sideways
-    std::vector<float> normalAlong;  // of the source's normal
-    std::vector<std::int32_t> keep;  // candidates of a row
+    std::vector<float> along;              // of the source's centre, along the column's direction
+    std::vector<float> aside;              // and sideways
+    std::vector<float> normalAlong;        // of the source's normal
+    std::vector<std::int32_t> keep;        // candidates of a row
+    std::vector<std::int32_t> matches;     // whether an occupied cell has a slope up to match
+    std::vector<std::uint32_t> inPeriod;   // column of the period that it repeats
+    std::vector<std::uint32_t> firstCell;  // number of the first cell of positional space of its period
   };
-  // Candidates of a row as the source sees them: their middles in the cell's frame, the slopes to their sides and the
-  // steps of those in the lookup.
+  // Candidates of a row as the source p with normal n sees them: their middles q in the cell's frame, the slopes to
+  // their sides and the steps of those in the lookup.
   struct Views {
     std::vector<float> ahead, across, up;
+    std::vector<float> front;         // (q - p) . n
+    std::vector<float> square;        // |q - p|^2
+    std::vector<float> normalAcross;  // n . across
+    std::vector<float> normalUp;      // n . up
     std::vector<float> low, high, lowUp, highUp;
-    std::vector<std::int32_t> firstStep, lastStep;
+    std::vector<std::int32_t> firstStep, lastStep, firstStepUp, lastStepUp;
   };
   struct Source {
     float px, py, pz;
@@ -98,15 +106,9 @@ class ObservationRays {
     float inward;       // centre . normal in the horizontal plane
     std::uint32_t index;
   };
-  // The middle q of a surface cell seen from a source p with normal n.
-  struct Middle {
-    float front;         // (q - p) . n
-    float square;        // |q - p|^2
-    float normalAcross;  // n . across
-    float normalUp;      // n . up
-  };
   // Where in a surface cell an observation ray is collinear with the ranging ray of an occupied cell.
   struct Aim {
+    std::uint32_t column;
     std::uint32_t cell;
     std::uint32_t side;
     float across, up;
@@ -118,19 +120,19 @@ class ObservationRays {
 
   void addRow(std::size_t row);
   void addColumns();
-  void addRanges();
   void face(const ObservationSource& source, std::uint32_t index);
   void markRows(Purpose purpose);
   void markColumns(std::size_t row, Purpose purpose);
   template <typename Visit>
   void forRuns(Purpose purpose, const Visit& visit);
   void viewRun(std::size_t row, std::size_t begin, std::size_t end);
+  void viewSteps(std::size_t row, std::size_t begin, std::size_t end);
   void appendRun(std::size_t row, std::size_t begin, std::size_t end, ObservationBatch& batch);
-  [[nodiscard]] Middle middleOf(std::size_t row, std::size_t column) const;
-  void aimAt(std::size_t row, std::size_t column, const Middle& middle, std::uint32_t cell);
-  void emitAims(std::size_t row, std::size_t column, ObservationBatch& batch);
-  void emitTogether(std::size_t row, std::size_t column, std::uint32_t shift, ObservationBatch& batch);
-  void emitMiddle(std::size_t row, std::size_t column, ObservationBatch& batch) const;
+  void findSeen(std::size_t row, std::size_t begin, std::size_t end);
+  void aim(std::size_t row);
+  void emitAims(std::size_t row, std::span<Aim> aims, ObservationBatch& batch) const;
+  [[nodiscard]] std::size_t emitTogether(std::size_t row, std::span<Aim> aims, ObservationBatch& batch) const;
+  void emitMiddles(std::size_t row, std::size_t begin, std::size_t end, ObservationBatch& batch) const;
   void emitRay(std::size_t row, std::size_t column, float across, float up, ObservationBatch& batch) const;
 
   const ScannerImages& scanner_;
@@ -141,14 +143,19 @@ class ObservationRays {
   std::size_t columnsPerPeriod_;
   Rows rows_;
   Columns columns_;
-  // Per occupied cell, the squared distances from the surface cell between which a source is in range.
-  std::vector<std::array<float, 2>> range_;
-  std::vector<float> low_;  // per surface cell, bounds of the fans of its occupied cells
+  // Per surface cell: bounds of the fans of its occupied cells, and as CellLookup has them.
+  std::vector<float> low_;
   std::vector<float> high_;
+  std::vector<float> margin_;
+  std::vector<std::int32_t> firstUp_;
+  std::vector<std::int32_t> lastUp_;
   Source source_{};
   Views views_;
-  std::vector<std::uint32_t> overlapping_;
+  // Of a run of candidates, by column; one is written beyond those that count.
+  std::vector<SeenCell> seen_;
+  std::size_t seenCount_ = 0;
   std::vector<Aim> aims_;
+  std::size_t aimCount_ = 0;
 };
 
 }  // namespace vantage
