@@ -13,9 +13,10 @@
 namespace vantage {
 namespace {
 
-// Most of a session are blobs of many pages: fewer and larger ones are written with fewer calls, and the log is longer
-// before it is moved into the file.
+// Most of a session are blobs of many pages: fewer and larger ones are written with fewer calls.
 constexpr int kPageBytes = 16384;
+// The log is moved into the file when it is this long, and at the end.
+constexpr int kMaxLogPages = 4096;
 
 // What a code of SQLite means to who works with a session.
 std::string meaning(int code, const char* detail) {
@@ -160,6 +161,7 @@ Database::Database(const std::string& path, Mode mode) : Database(path, nullptr)
   // A new file is written once, without a log: half of one is worth nothing, and nobody knows it yet.
   run(mode == Mode::Create ? "PRAGMA journal_mode=MEMORY" : "PRAGMA journal_mode=WAL");
   run("PRAGMA synchronous=FULL");
+  run("PRAGMA wal_autocheckpoint=" + std::to_string(kMaxLogPages));
 }
 
 int Database::openHandle(const std::string& name, int flags) {
@@ -228,10 +230,6 @@ bool Database::sound() {
   } catch (const IoError&) {
     return false;
   }
-}
-
-void Database::shortenLog() {
-  prepare("PRAGMA wal_checkpoint(PASSIVE)").step();
 }
 
 Statement Database::prepare(const std::string& sql) {

@@ -65,9 +65,6 @@ class Database {
   /// Whether every page is where it belongs.
   [[nodiscard]] bool sound();
 
-  /// Moves what readers leave of the log into the file, which is otherwise done when the log is long and at the end.
-  void shortenLog();
-
   [[nodiscard]] Statement prepare(const std::string& sql);
   void run(const std::string& sql);
 

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "acquisition/session_blobs.h"
+#include "acquisition/session_json.h"
 #include "acquisition/session_lock.h"
 #include "acquisition/session_opening.h"
 #include "acquisition/session_rescue.h"
@@ -86,12 +87,19 @@ struct Session::Parts {
 
   void add(const Command& command, AcquisitionState state) {
     auto shared = std::make_shared<const AcquisitionState>(std::move(state));
-    HistoryEntry entry{store.nextStep(), command, nullptr, stateHash(*shared)};
+    auto hash = std::async(std::launch::async, [&shared] { return stateHash(*shared); });
+    HistoryEntry entry{store.nextStep(), command, nullptr, 0};
     const bool first = history.size() == 0;
     const StateOutline none;
     const StateOutline& before = first ? none : *history.current().outline;
     entry.outline = std::make_shared<const StateOutline>(states.outline(*shared, before, entry.step));
-    transact(store, [&] { store.addStep(entry, first ? 0 : history.current().step, *shared); });
+    std::optional<PackedPlan> newPlan;
+    if (!shared->views.empty() && entry.outline->views.back().planStep == entry.step) {
+      const Plan& plan = *shared->records.back().plan;
+      newPlan = PackedPlan{planText(plan), planBlob(plan)};
+    }
+    entry.hash = hash.get();
+    transact(store, [&] { store.addStep(entry, first ? 0 : history.current().step, newPlan); });
     states.remember(*entry.outline, *shared);
     const std::int64_t newModel = entry.outline->modelStep == entry.step ? entry.step : 0;
     history.add(std::move(entry), shared);
@@ -113,11 +121,8 @@ struct Session::Parts {
   void writeModel(std::int64_t step, const Model& model) noexcept {
     try {
       const std::vector<std::byte> blob = modelBlob(model);
-      {
-        const std::lock_guard guard(mutex);
-        transact(store, [&] { store.addModel(step, blob); });
-      }
-      Database(path, Database::Mode::Write).shortenLog();
+      const std::lock_guard guard(mutex);
+      transact(store, [&] { store.addModel(step, blob); });
     } catch (const std::exception&) {
       // The next step says so if there is no room.
     }
@@ -145,7 +150,7 @@ struct Session::Parts {
   std::pair<std::uint64_t, std::uint64_t> file;
   std::string refuge;
   std::recursive_mutex mutex;
-  std::future<void> modelWritten;  // last: it ends before the rest of the session does
+  std::shared_future<void> modelWritten;  // last: it ends before the rest of the session does
 };
 
 Session::Session(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
@@ -319,7 +324,15 @@ void Session::setNote(const std::string& key, const std::string& text) {
   transact(parts_->store, [&] { parts_->store.setMeta("note:" + key, text); });
 }
 
+void Session::settle() const {
+  std::unique_lock guard(parts_->mutex);
+  const std::shared_future<void> written = parts_->modelWritten;
+  guard.unlock();
+  if (written.valid()) written.wait();
+}
+
 void Session::copyTo(const std::string& path) const {
+  settle();
   const std::lock_guard guard(parts_->mutex);
   parts_->store.database().copyTo(path);
 }

@@ -73,6 +73,7 @@ class Session {
 
   /// Appends a command with the state it led to. @throws IoError when it cannot be written (disk full): nothing has
   /// changed; when the file was removed or replaced: all of it, with this command, is in a copy that the message names.
+  /// The model, which can be made again, is written meanwhile.
   void record(const Command& command, AcquisitionState state);
   void undo();
   void redo();
@@ -80,6 +81,9 @@ class Session {
   /// Remarks of a program, for instance the page that a wizard was on; empty when there is none.
   [[nodiscard]] std::string note(const std::string& key) const;
   void setNote(const std::string& key, const std::string& text);
+
+  /// Waits until the model of the last step is written.
+  void settle() const;
 
   /// Writes the whole session to another file, also when its own was removed. @throws IoError
   void copyTo(const std::string& path) const;

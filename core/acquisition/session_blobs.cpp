@@ -15,7 +15,7 @@
 namespace vantage {
 namespace {
 
-// What is kept for ever is packed tightly, what can be made again quickly.
+// What somebody waits for while it is packed is packed quickly, other things tightly; scans are small either way.
 constexpr int kTight = 1;
 constexpr int kQuick = -3;
 // No column of a session grows larger than this when it is unpacked.
@@ -186,7 +186,7 @@ std::vector<std::byte> modelBlob(const Model& model) {
   writer.list(model.vertexView);
   writer.list(model.vertexSample);
   writer.list(model.triangleView);
-  return compressed(writer.bytes(), kQuick);
+  return compressed(writer.bytes(), kTight);
 }
 
 Model modelFromBlob(std::span<const std::byte> blob, const std::string& what) {

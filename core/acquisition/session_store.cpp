@@ -184,7 +184,7 @@ void SessionStore::addViews(const HistoryEntry& entry, const std::vector<Outline
   }
 }
 
-void SessionStore::addStep(const HistoryEntry& entry, std::int64_t parent, const AcquisitionState& state) {
+void SessionStore::addStep(const HistoryEntry& entry, std::int64_t parent, const std::optional<PackedPlan>& newPlan) {
   const StateOutline& outline = *entry.outline;
   const std::size_t views = outline.views.size() + outline.rejected.size() + outline.leftOut.size();
   database_.prepare("INSERT INTO step VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?, ?)")
@@ -202,11 +202,11 @@ void SessionStore::addStep(const HistoryEntry& entry, std::int64_t parent, const
   addViews(entry, outline.views, "in");
   addViews(entry, outline.rejected, "rejected");
   addViews(entry, outline.leftOut, "left out");
-  if (!outline.views.empty() && outline.views.back().planStep == entry.step)
+  if (newPlan)
     database_.prepare("INSERT OR REPLACE INTO plan VALUES(?, ?, ?)")
         .bind(1, entry.step)
-        .bind(2, std::string_view(planText(*state.records.back().plan)))
-        .bind(3, std::span<const std::byte>(planBlob(*state.records.back().plan)))
+        .bind(2, std::string_view(newPlan->summary))
+        .bind(3, std::span<const std::byte>(newPlan->data))
         .run();
   setMeta("tip", std::to_string(entry.step));
   moveCursor(entry.step, std::string(kindOf(entry.command)));

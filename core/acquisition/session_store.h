@@ -21,6 +21,12 @@ struct StoredHistory {
   std::vector<std::string> losses;  ///< one sentence for everything that is not
 };
 
+/// A plan as it lies in the file: see planText and planBlob.
+struct PackedPlan {
+  std::string summary;
+  std::vector<std::byte> data;
+};
+
 /// The rows of a session file as values (see session_schema.h). Keeps nothing in memory. Readers take nothing on trust:
 /// @throws InvalidInput naming the part that is damaged, IoError when the database fails.
 class SessionStore {
@@ -64,7 +70,7 @@ class SessionStore {
   [[nodiscard]] std::shared_ptr<const Plan> plan(std::int64_t step);
 
   /// A step with what is new in it except its model, and the cursor on it.
-  void addStep(const HistoryEntry& entry, std::int64_t parent, const AcquisitionState& state);
+  void addStep(const HistoryEntry& entry, std::int64_t parent, const std::optional<PackedPlan>& newPlan);
   void moveCursor(std::int64_t step, const std::string& what);
   [[nodiscard]] std::int64_t nextStep();
   /// The model that a step led to, as modelBlob packs it.

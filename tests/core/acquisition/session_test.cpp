@@ -157,6 +157,21 @@ TEST_F(SessionTest, AChosenPositionIsScannedNext) {
   EXPECT_THROW(static_cast<void>(applyCommand(end, ChoosePosition{24}, {}, {})), InvalidInput);
 }
 
+TEST_F(SessionTest, HasTheModelOfEveryStepInItsFileWhenItHasSettled) {
+  Session session = createSmallSession(path(), twoViews());
+  std::size_t steps = 0;
+  static_cast<void>(runSmallSession(session, [&](const Command& command, const AcquisitionState& state) {
+    session.record(command, state);
+    session.settle();
+    Database database(path(), Database::Mode::Read);
+    Statement row = database.prepare("SELECT data FROM model WHERE step = (SELECT max(model) FROM step)");
+    ASSERT_TRUE(row.step());
+    EXPECT_EQ(row.blob(0), modelBlob(*state.model));
+    ++steps;
+  }));
+  EXPECT_GE(steps, 2U);
+}
+
 TEST_F(SessionTest, AScanThatWasNotYetAddedIsUsedBeforeAnotherIsTaken) {
   const AcquisitionState whole = saveTwoViews();
   Session session = createSmallSession(path(), twoViews());
