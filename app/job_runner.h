@@ -37,7 +37,7 @@ class JobRunner : public QObject {
     auto value = std::make_shared<std::optional<T>>();
     return start({title,
                   [value, process = std::move(process)](const Progress& progress) { *value = process(progress); },
-                  [value, finalize = std::move(finalize)](std::exception_ptr failure) {
+                  [value, finalize = std::move(finalize)](const std::exception_ptr& failure) {
                     JobResult<T> result;
                     if (failure)
                       explain(failure, result.cancelled, result.error);

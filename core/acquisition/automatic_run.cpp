@@ -39,7 +39,8 @@ ScanStep scanOnce(const AcquisitionState& state, const ScanSource& scans, const 
 AcquisitionState acquire(AcquisitionState state, const ScanSource& scans, const ScannerImages& images,
                          const StepObserver& observer, const Progress& progress) {
   if (state.termination != Termination::Running) return state;
-  state = planned(std::move(state), images, stepProgress(state, progress));
+  const Progress planning = stepProgress(state, progress);
+  state = planned(std::move(state), images, planning);
   state.termination = nextScan(state).termination;
   while (state.termination == Termination::Running) {
     ScanStep step = scanOnce(state, scans, images, stepProgress(state, progress));

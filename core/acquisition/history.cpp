@@ -8,7 +8,7 @@ namespace vantage {
 
 History::History(Loader loader) : loader_(std::move(loader)) {}
 
-void History::add(HistoryEntry entry, std::shared_ptr<const AcquisitionState> state) {
+void History::add(HistoryEntry entry, const std::shared_ptr<const AcquisitionState>& state) {
   Kept kept{std::move(entry), state, state};
   if (!entries_.empty()) entries_.resize(cursor_ + 1);
   entries_.push_back(std::move(kept));

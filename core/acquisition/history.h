@@ -51,7 +51,7 @@ class History {
   explicit History(Loader loader = {});
 
   /// Appends a command behind the cursor and moves the cursor to it.
-  void add(HistoryEntry entry, std::shared_ptr<const AcquisitionState> state);
+  void add(HistoryEntry entry, const std::shared_ptr<const AcquisitionState>& state);
 
   /// Takes over commands that were read from a file. @throws InvalidInput when the cursor is not one of them.
   void restore(std::vector<HistoryEntry> entries, std::size_t cursor);

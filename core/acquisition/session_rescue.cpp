@@ -57,7 +57,7 @@ std::string freeName(const std::string& path, const std::string& ending) {
 }
 
 std::string copyBeside(const std::string& session) {
-  const std::string copy = freeName(session, ".damaged");
+  std::string copy = freeName(session, ".damaged");
   copyFile(session, copy);
   if (std::filesystem::exists(session + "-wal")) copyFile(session + "-wal", copy + "-wal");
   return copy;

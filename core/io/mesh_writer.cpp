@@ -6,6 +6,7 @@
 #include <charconv>
 #include <cstring>
 #include <limits>
+#include <type_traits>
 
 #include "base/errors.h"
 #include "io/atomic_file.h"
@@ -44,8 +45,14 @@ void forRows(std::size_t count, const Progress& progress, const Row& row) {
 
 template <typename T>
 char* put(char* at, const T& value) {
+  static_assert(std::is_trivially_copyable_v<T>);
   std::memcpy(at, &value, sizeof(T));
   return at + sizeof(T);
+}
+
+// In single precision.
+char* putVector(char* at, const Vec3& v) {
+  return put(at, std::array<float, 3>{static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z())});
 }
 
 std::string plyHeader(const Surface& surface) {
@@ -63,8 +70,7 @@ void writePly(const Surface& surface, AtomicFile& file, const Progress& progress
   file.write(plyHeader(surface));
   const Model* model = surface.model;
   forRows(surface.mesh.vertices.size(), progress.part(0.0, 0.5), [&](std::size_t i) {
-    const Eigen::Vector3f p = surface.mesh.vertices[i].cast<float>();
-    char* at = put(file.grow(model != nullptr ? 16 : 12), p);
+    char* at = putVector(file.grow(model != nullptr ? 16 : 12), surface.mesh.vertices[i]);
     if (model != nullptr) put(at, model->confidence[i]);
   });
   forRows(surface.mesh.triangles.size(), progress.part(0.5, 1.0), [&](std::size_t i) {
@@ -85,9 +91,8 @@ void writeStl(const Surface& surface, AtomicFile& file, const Progress& progress
   put(file.grow(4), static_cast<std::uint32_t>(count));
   forRows(count, progress, [&](std::size_t i) {
     const Triangle& t = surface.mesh.triangles[i];
-    const Eigen::Vector3f normal = triangleNormal(surface.mesh, t).cast<float>();
-    char* at = put(file.grow(50), normal);
-    for (const std::uint32_t v : t) at = put(at, Eigen::Vector3f(surface.mesh.vertices[v].cast<float>()));
+    char* at = putVector(file.grow(50), triangleNormal(surface.mesh, t));
+    for (const std::uint32_t v : t) at = putVector(at, surface.mesh.vertices[v]);
     put(at, std::uint16_t{0});
   });
 }

@@ -204,6 +204,7 @@ SightSlopes fitSightSlopes(const SampleGrid& grid) {
   SightSlopes slopes;
   if (steps.empty()) return slopes;
   std::vector<double> lengths;
+  lengths.reserve(steps.size());
   for (const Step& step : steps) lengths.push_back(step.change.norm());
   const double floor = std::max(kDeviationFloor * median(lengths), 1e-9);
   for (int axis = 0; axis < 2; ++axis) {

@@ -50,7 +50,7 @@ TEST_P(AnyJobRunner, HandsTheValueToFinalizeOnItsOwnThread) {
   int value = 0;
   runner_->run<int>(
       "job", [](const Progress&) { return 42; },
-      [&](JobResult<int> result) {
+      [&](const JobResult<int>& result) {
         where = QThread::currentThread();
         value = result.value.value_or(-1);
       });
@@ -102,7 +102,7 @@ TEST(ThreadedJobRunner, CancelIsAnsweredAtTheNextCheckpoint) {
         for (running = true;; QThread::msleep(1)) progress.checkpoint(0.0);
         return 1;
       },
-      [&](JobResult<int> result) { cancelled = result.cancelled; });
+      [&](const JobResult<int>& result) { cancelled = result.cancelled; });
   ASSERT_TRUE(waitFor([&] { return running.load(); }));
   runner.cancel(job);
   EXPECT_TRUE(waitFor([&] { return cancelled; }));
@@ -117,8 +117,8 @@ TEST(ThreadedJobRunner, CancellingOneJobLeavesTheOthersAlone) {
     while (!go) progress.checkpoint(0.0);
     return 7;
   };
-  const int first = runner.run<int>("a", waiting, [&](JobResult<int> r) { cancelled = r.cancelled; });
-  runner.run<int>("b", waiting, [&](JobResult<int> r) { value = r.value; });
+  const int first = runner.run<int>("a", waiting, [&](const JobResult<int>& r) { cancelled = r.cancelled; });
+  runner.run<int>("b", waiting, [&](const JobResult<int>& r) { value = r.value; });
   runner.cancel(first);
   ASSERT_TRUE(waitFor([&] { return cancelled; }));
   EXPECT_TRUE(runner.busy());
@@ -152,7 +152,7 @@ TEST(ThreadedJobRunner, AnAbandonedJobIsNotFinalized) {
           for (running = true;;) progress.checkpoint(0.0);
           return 1;
         },
-        [&](JobResult<int>) { finalized = true; });
+        [&](const JobResult<int>&) { finalized = true; });
     ASSERT_TRUE(waitFor([&] { return running.load(); }));
   }
   QCoreApplication::processEvents();

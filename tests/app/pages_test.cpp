@@ -46,7 +46,7 @@ class Desk {
   QImage picture(const QString& name) {
     window_->views().model().view().finishLoading();
     settle();
-    const QImage image = window_->grab().toImage();
+    QImage image = window_->grab().toImage();
     QDir().mkpath(QStringLiteral(VANTAGE_SCREENSHOT_DIR));
     const QString scale = image.devicePixelRatio() > 1.0 ? QStringLiteral("_x2") : QString();
     image.save(QStringLiteral(VANTAGE_SCREENSHOT_DIR) + "/window_" + name + scale + ".png");

@@ -107,8 +107,9 @@ TEST(HostileFiles, ThatAreDamagedAreRefused) {
   const std::set<std::string> harmless{"hostile/realworld/bun.conf.missing_extension", "hostile/trimesh/jacked.obj"};
   for (const auto& [name, expectation] : readManifest(*folder)) {
     if (damaged.count(expectation.kind) == 0 || name.ends_with(".3mf") || harmless.count(name) != 0) continue;
-    const Outcome outcome = attempt([&] { static_cast<void>(describeFile((*folder / name).string())); });
-    EXPECT_FALSE(outcome.wasRead()) << name;
+    const std::string path = (*folder / name).string();
+    const Outcome outcome = attempt([&] { static_cast<void>(describeFile(path)); });
+    EXPECT_FALSE(outcome.wasRead()) << path;
   }
 }
 
