@@ -8,6 +8,7 @@
 #include <future>
 #include <map>
 #include <mutex>
+#include <system_error>
 #include <utility>
 
 #include "acquisition/session_blobs.h"
@@ -111,10 +112,19 @@ struct Session::Parts {
     // One at a time. The one before may be waiting for the mutex, so that it is not waited for here.
     const bool busy =
         modelWritten.valid() && modelWritten.wait_for(std::chrono::seconds(0)) != std::future_status::ready;
-    if (busy)
-      writeModel(step, *model);
-    else
-      modelWritten = std::async(std::launch::async, [this, step, model] { writeModel(step, *model); });
+    try {
+      if (!busy) {
+        // Taken out of the task, which stays until the next one.
+        modelWritten = std::async(std::launch::async, [this, step, model = model]() mutable {
+          const std::shared_ptr<const Model> written = std::move(model);
+          writeModel(step, *written);
+        });
+        return;
+      }
+    } catch (const std::system_error&) {
+      // No thread to be had.
+    }
+    writeModel(step, *model);
   }
 
   // A model can be made again from its step: when it cannot be written, or the program ends before, nothing is lost.

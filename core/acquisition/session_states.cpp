@@ -199,7 +199,7 @@ AcquisitionState SessionStates::state(const History& history, const HistoryEntry
 std::shared_ptr<const Model> SessionStates::modelOf(const AcquisitionState& state, const History& history,
                                                     const HistoryEntry& entry) {
   const std::int64_t step = entry.outline->modelStep;
-  if (const auto kept = model(step, state.views.size())) {
+  if (auto kept = model(step, state.views.size())) {
     if (vantage::fits(*kept, state.views)) return kept;
     lose(store_.path() + ": model " + std::to_string(step) + " is of other samples; it is made again");
   }
