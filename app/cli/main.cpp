@@ -50,5 +50,10 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return run(argc, argv);
+  try {
+    return run(argc, argv);
+  } catch (...) {
+    std::fputs("vantage-cli: what went wrong could not be said\n", stderr);
+    return kFailed;
+  }
 }

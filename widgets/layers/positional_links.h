@@ -22,7 +22,7 @@ class PositionalLinks {
   struct Link {
     std::uint32_t from;
     std::uint32_t to;
-    auto operator<=>(const Link&) const = default;
+    auto operator<=>(const Link&) const = default;  // NOLINT(modernize-use-nullptr): there is no pointer
   };
   [[nodiscard]] static std::vector<std::uint32_t> linked(const std::vector<Link>& links, std::uint32_t from);
 

@@ -6,6 +6,7 @@
 #include <vtkProperty.h>
 #include <vtkVectorText.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -44,9 +45,14 @@ void addCircle(std::vector<Segment>& lines, double radius) {
                      onCircle(radius, 2.0 * kPi * (i + 1) / kSegments, kLinesAt)});
 }
 
+// Circles of the scale within the rim, not upon it.
+int circlesWithin(double radius) {
+  return std::max(static_cast<int>(std::ceil((radius - 1.0) / kCircleStep)) - 1, 0);
+}
+
 std::vector<Segment> scaleLines(double radius) {
   std::vector<Segment> lines;
-  for (double r = kCircleStep; r < radius - 1.0; r += kCircleStep) addCircle(lines, r);
+  for (int i = 1; i <= circlesWithin(radius); ++i) addCircle(lines, i * kCircleStep);
   addCircle(lines, radius);
   for (int degree = 0; degree < 360; degree += kTickStep) {
     const double length = degree % kLabelStep == 0 ? 0.05 : 0.025;
@@ -89,9 +95,11 @@ Mesh labels(double radius) {
     // Read from outside, where the one who looks at the object stands.
     addText(mesh, std::to_string(degree), onCircle(1.13 * radius, radians(degree), kLabelsAt), -inward, height);
   }
-  for (double r = kCircleStep; r < radius - 1.0; r += kCircleStep)
+  for (int i = 1; i <= circlesWithin(radius); ++i) {
+    const double r = i * kCircleStep;
     addText(mesh, std::to_string(static_cast<int>(r)) + " mm", onCircle(r, radians(15.0), kLabelsAt),
             onCircle(1.0, radians(15.0), 0.0), 0.8 * height);
+  }
   return mesh;
 }
 

@@ -20,9 +20,10 @@ QImage readPicture(vtkGenericOpenGLRenderWindow& window) {
   const auto pixels = vtkSmartPointer<vtkUnsignedCharArray>::New();
   window.GetPixelData(0, 0, width - 1, height - 1, 0, pixels.Get(), 0);
   QImage image(width, height, QImage::Format_RGB888);
-  const auto rowBytes = static_cast<std::size_t>(width) * 3;
-  for (int y = 0; y < height; ++y)
-    std::memcpy(image.scanLine(height - 1 - y), pixels->GetPointer(static_cast<vtkIdType>(y * rowBytes)), rowBytes);
+  const vtkIdType rowBytes = 3 * static_cast<vtkIdType>(width);
+  for (vtkIdType y = 0; y < height; ++y)
+    std::memcpy(image.scanLine(height - 1 - static_cast<int>(y)), pixels->GetPointer(y * rowBytes),
+                static_cast<std::size_t>(rowBytes));
   return image;
 }
 

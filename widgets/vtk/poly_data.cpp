@@ -67,7 +67,7 @@ vtkSmartPointer<vtkUnsignedCharArray> toColourArray(const std::vector<Rgb>& colo
   array->SetNumberOfComponents(3);
   array->SetNumberOfTuples(static_cast<vtkIdType>(colours.size()));
   for (std::size_t i = 0; i < colours.size(); ++i)
-    std::copy(colours[i].begin(), colours[i].end(), array->GetPointer(static_cast<vtkIdType>(3 * i)));
+    std::copy(colours[i].begin(), colours[i].end(), array->GetPointer(3 * static_cast<vtkIdType>(i)));
   return array;
 }
 

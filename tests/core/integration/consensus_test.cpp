@@ -18,7 +18,6 @@ using testing::Height;
 using testing::lookDown;
 using testing::makeSphere;
 using testing::scanFrom;
-using testing::Window;
 
 Height flat(double z) {
   return [z](double, double) { return z; };

@@ -56,6 +56,7 @@ std::vector<View> scanFrom(const Mesh& object, const std::vector<Direction>& dir
 
 std::vector<Direction> around(int count) {
   std::vector<Direction> directions;
+  directions.reserve(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i) directions.push_back({2.0 * kPi * i / count, 0.0});
   return directions;
 }

@@ -16,7 +16,6 @@ using testing::countBowTies;
 using testing::eulerCharacteristic;
 using testing::Height;
 using testing::lookDown;
-using testing::Window;
 
 constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 

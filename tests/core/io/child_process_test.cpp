@@ -55,6 +55,7 @@ TEST(RunInChild, StopsAChildThatTakesTooMuchMemory) {
   const ChildResult result = run(
       [](const ChildSend&) {
         std::vector<std::vector<char>> blocks;
+        blocks.reserve(512);
         for (int i = 0; i < 512; ++i) blocks.emplace_back(1 << 20, 'x');
       },
       limits);

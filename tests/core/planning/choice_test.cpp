@@ -37,6 +37,7 @@ TEST(Choice, PrefersTheTracedAreaOverThatOfPositionalSpace) {
 
 TEST(Choice, BreaksTiesByLeastMotionThenByLowerIndex) {
   std::vector<PositionScore> scores;
+  scores.reserve(8);
   for (int i = 0; i < 8; ++i) scores.push_back(score(i, i == 1 || i == 4 || i == 6 ? 50 : 20, 500));
   EXPECT_EQ(choose(scores, turntable(8), 7, kOptions).position, 6);
   EXPECT_EQ(choose(scores, turntable(8), 0, kOptions).position, 1);

@@ -67,6 +67,7 @@ TEST(PositionSight, NamesTheTriangleThatBlocks) {
 
 TEST(PositionSight, AnyNumberOfThreadsGivesTheSame) {
   std::vector<VoidPatch> patches;
+  patches.reserve(500);
   for (int i = 0; i < 500; ++i) patches.push_back(patchAt({0, -80.0 + 0.3 * i, 100}, {1, 0.01 * i - 2, 0}, 1.0));
   const auto one = lookFrom(Pose::Identity(), patches, wall(), makeProfile(), 2.0, Progress().withThreads(1));
   const auto four = lookFrom(Pose::Identity(), patches, wall(), makeProfile(), 2.0, Progress().withThreads(4));

@@ -21,8 +21,8 @@ PositionalSpaceShape smallShape(PositionalSpaceSurface surface) {
 
 // Whether the line meets the cylinder 150 x 300 mm, by sampling it.
 bool meetsVolume(const Vec3& p, const Vec3& d) {
-  for (double t = -1000.0; t <= 1000.0; t += 0.5) {
-    const Vec3 q = p + t * d;
+  for (int i = -2000; i <= 2000; ++i) {
+    const Vec3 q = p + 0.5 * i * d;
     if (q.head<2>().norm() <= 150.0 && q.z() >= 0.0 && q.z() <= 300.0) return true;
   }
   return false;

@@ -105,6 +105,7 @@ TEST(MultiView, LeavesAViewWithoutOverlapWhereItIs) {
 TEST(MultiView, DoesNotTurnWhatNothingHolds) {
   const auto profile = makeProfile(0.1, 90, 90);
   std::vector<View> views;
+  views.reserve(6);
   for (int i = 0; i < 6; ++i) views.push_back(scanVase(profile, 15 * i, static_cast<unsigned>(i) + 1));
   const MultiViewResult result = refineViews(views, {});
   for (std::size_t i = 0; i < views.size(); ++i) {

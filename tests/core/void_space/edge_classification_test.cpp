@@ -23,7 +23,7 @@ constexpr std::uint32_t kFirst = 0;
 // One view, the model it makes, and its verdict on vertical edges.
 class Scene {
  public:
-  explicit Scene(View view, const ClassificationOptions& options = {})
+  explicit Scene(const View& view, const ClassificationOptions& options = {})
       : Scene(std::vector<View>{view}, modelOf(view).mesh, options) {}
   Scene(std::vector<View> views, const Mesh& model, const ClassificationOptions& options = {})
       : views_(std::move(views)), model_(model), rays_(views_), classifier_(model_, rays_, options) {}

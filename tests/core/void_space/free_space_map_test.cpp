@@ -156,8 +156,8 @@ TEST(FreeSpaceMap, MergeWithNothingKnownFreesOnlyTheLeadingConditionalPart) {
 }
 
 TEST(FreeSpaceMap, MergeDoesNotDependOnTheOrderOfItsTwoMaps) {
-  for (double a = 10; a < 350; a += 35)
-    for (double b = 5; b < 350; b += 25) {
+  for (int a = 10; a < 350; a += 35)
+    for (int b = 5; b < 350; b += 25) {
       const FreeSpaceMap one = regular(radians(a), radians(60), true);
       const FreeSpaceMap two = regular(radians(b), radians(50), false);
       EXPECT_EQ(FreeSpaceMap::merged(one, two).intervals(), FreeSpaceMap::merged(two, one).intervals());
@@ -165,12 +165,12 @@ TEST(FreeSpaceMap, MergeDoesNotDependOnTheOrderOfItsTwoMaps) {
 }
 
 TEST(FreeSpaceMap, MergeNeverTakesFreeSpaceBack) {
-  for (double a = 10; a < 350; a += 35)
-    for (double b = 5; b < 350; b += 25) {
+  for (int a = 10; a < 350; a += 35)
+    for (int b = 5; b < 350; b += 25) {
       const FreeSpaceMap one = regular(radians(a), radians(60), true);
       const FreeSpaceMap merged = FreeSpaceMap::merged(one, regular(radians(b), radians(50), false));
-      for (double angle = 0.5; angle < 360; angle += 1.0)
-        EXPECT_LE(merged.at(radians(angle)), one.at(radians(angle))) << a << " " << b << " at " << angle;
+      for (int degree = 0; degree < 360; ++degree)
+        EXPECT_LE(merged.at(radians(degree + 0.5)), one.at(radians(degree + 0.5))) << a << " " << b << " at " << degree;
     }
 }
 
