@@ -380,7 +380,7 @@ void SessionController::rememberPage(const QString& page) {
         session->setNote(kPageNote.toStdString(), page);
         return true;
       },
-      [this](JobResult<bool> result) {
+      [this](const JobResult<bool>& result) {
         if (!result.error.isEmpty()) emit message(result.error);
       });
 }

@@ -16,7 +16,7 @@ namespace vantage {
 namespace detail {
 
 template <typename T>
-QWidget* makeEditor(const typename Field<T>::Switch& field, T& values, std::function<void()> changed) {
+QWidget* makeEditor(const typename Field<T>::Switch& field, T& values, const std::function<void()>& changed) {
   auto* box = new QCheckBox;
   box->setChecked(values.*field.value);
   QObject::connect(box, &QCheckBox::toggled, [&values, field, changed](bool on) {
@@ -27,7 +27,7 @@ QWidget* makeEditor(const typename Field<T>::Switch& field, T& values, std::func
 }
 
 template <typename T>
-QWidget* makeEditor(const typename Field<T>::Whole& field, T& values, std::function<void()> changed) {
+QWidget* makeEditor(const typename Field<T>::Whole& field, T& values, const std::function<void()>& changed) {
   auto* box = new QSpinBox;
   box->setRange(field.least, field.most);
   box->setSuffix(field.unit);
@@ -40,7 +40,7 @@ QWidget* makeEditor(const typename Field<T>::Whole& field, T& values, std::funct
 }
 
 template <typename T>
-QWidget* makeEditor(const typename Field<T>::Number& field, T& values, std::function<void()> changed) {
+QWidget* makeEditor(const typename Field<T>::Number& field, T& values, const std::function<void()>& changed) {
   auto* box = new QDoubleSpinBox;
   box->setDecimals(field.decimals);
   box->setRange(field.least, field.most);
@@ -55,7 +55,7 @@ QWidget* makeEditor(const typename Field<T>::Number& field, T& values, std::func
 }
 
 template <typename T>
-QWidget* makeEditor(const typename Field<T>::Choice& field, T& values, std::function<void()> changed) {
+QWidget* makeEditor(const typename Field<T>::Choice& field, T& values, const std::function<void()>& changed) {
   auto* box = new QComboBox;
   box->addItems(field.options);
   box->setCurrentIndex(values.*field.value);
