@@ -85,9 +85,8 @@ class Marching {
     const bool forward = a[0] <= b[0] && a[1] <= b[1] && a[2] <= b[2];
     const Cell& low = forward ? a : b;
     const Cell& high = forward ? b : a;
-    const std::size_t direction =
-        static_cast<std::size_t>((high[0] - low[0]) + 2 * (high[1] - low[1]) + 4 * (high[2] - low[2]));
-    std::uint32_t& slot = vertexOnEdge_[8 * index(low) + direction];
+    const int direction = (high[0] - low[0]) + 2 * (high[1] - low[1]) + 4 * (high[2] - low[2]);
+    std::uint32_t& slot = vertexOnEdge_[8 * index(low) + static_cast<std::size_t>(direction)];
     if (slot == kNoIndex) {
       const double from = values_[index(low)];
       const double to = values_[index(high)];
