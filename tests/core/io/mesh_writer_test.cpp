@@ -94,7 +94,7 @@ TEST(ReadModel, RefusesWhatAModelCannotBe) {
   expectError<InvalidInput>([&] { static_cast<void>(readModel(folder.file("mesh.ply"))); },
                             {"mesh.ply", "no model", "confidence"});
 
-  auto refuse = [&](Model model, const std::vector<std::string>& parts) {
+  auto refuse = [&](const Model& model, const std::vector<std::string>& parts) {
     exportModel(model, folder.file("bad.ply"));
     expectError<InvalidInput>([&] { static_cast<void>(readModel(folder.file("bad.ply"))); }, parts);
   };
