@@ -84,7 +84,8 @@ void paintFoot(QPainter& painter, const QRectF& area, const ObjectiveChartData& 
   const double width = (area.width() - 20.0) / 2.0;
   for (std::size_t i = 0; i < items.size(); ++i) {
     const double x = area.left() + 10.0 + width * static_cast<double>(i % 2);
-    const double y = area.bottom() - kLegendHeight + 10.0 + 17.0 * static_cast<double>(i / 2);
+    const std::size_t line = i / 2;
+    const double y = area.bottom() - kLegendHeight + 10.0 + 17.0 * static_cast<double>(line);
     if (items[i].line) {
       painter.setPen(QPen(items[i].colour, 1.5, Qt::DashLine));
       painter.drawLine(QPointF(x, y), QPointF(x + 16.0, y));
