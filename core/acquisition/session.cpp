@@ -3,7 +3,6 @@
 #include <sys/stat.h>
 
 #include <algorithm>
-#include <chrono>
 #include <filesystem>
 #include <future>
 #include <map>
@@ -11,6 +10,7 @@
 #include <system_error>
 #include <utility>
 
+#include "acquisition/model_writer.h"
 #include "acquisition/session_blobs.h"
 #include "acquisition/session_json.h"
 #include "acquisition/session_lock.h"
@@ -52,7 +52,8 @@ struct Session::Parts {
         store(std::move(database)),
         states(store, losses),
         history([this](const HistoryEntry& entry) { return stateOf(entry); }),
-        file(fileBehind(name)) {}
+        file(fileBehind(name)),
+        models(store, mutex) {}
 
   [[nodiscard]] std::shared_ptr<const AcquisitionState> stateOf(const HistoryEntry& entry) {
     const std::lock_guard guard(mutex);
@@ -104,38 +105,7 @@ struct Session::Parts {
     states.remember(*entry.outline, *shared);
     const std::int64_t newModel = entry.outline->modelStep == entry.step ? entry.step : 0;
     history.add(std::move(entry), shared);
-    if (newModel != 0) keepModel(newModel, shared->model);
-  }
-
-  // Writes the model that a step led to while whoever recorded the step goes on.
-  void keepModel(std::int64_t step, const std::shared_ptr<const Model>& model) {
-    // One at a time. The one before may be waiting for the mutex, so that it is not waited for here.
-    const bool busy =
-        modelWritten.valid() && modelWritten.wait_for(std::chrono::seconds(0)) != std::future_status::ready;
-    try {
-      if (!busy) {
-        // Taken out of the task, which stays until the next one.
-        modelWritten = std::async(std::launch::async, [this, step, model = model]() mutable {
-          const std::shared_ptr<const Model> written = std::move(model);
-          writeModel(step, *written);
-        });
-        return;
-      }
-    } catch (const std::system_error&) {
-      // No thread to be had.
-    }
-    writeModel(step, *model);
-  }
-
-  // A model can be made again from its step: when it cannot be written, or the program ends before, nothing is lost.
-  void writeModel(std::int64_t step, const Model& model) noexcept {
-    try {
-      const std::vector<std::byte> blob = modelBlob(model);
-      const std::lock_guard guard(mutex);
-      transact(store, [&] { store.addModel(step, blob); });
-    } catch (const std::exception&) {
-      // The next step says so if there is no room.
-    }
+    if (newModel != 0) models.write(newModel, shared->model);
   }
 
   void move(void (History::*there)(), void (History::*back)(), const char* what) {
@@ -160,7 +130,7 @@ struct Session::Parts {
   std::pair<std::uint64_t, std::uint64_t> file;
   std::string refuge;
   std::recursive_mutex mutex;
-  std::shared_future<void> modelWritten;  // last: it ends before the rest of the session does
+  ModelWriter models;  // last: it ends before the rest of the session does
 };
 
 Session::Session(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
@@ -335,10 +305,7 @@ void Session::setNote(const std::string& key, const std::string& text) {
 }
 
 void Session::settle() const {
-  std::unique_lock guard(parts_->mutex);
-  const std::shared_future<void> written = parts_->modelWritten;
-  guard.unlock();
-  if (written.valid()) written.wait();
+  parts_->models.settle();
 }
 
 void Session::copyTo(const std::string& path) const {

@@ -38,15 +38,14 @@ std::shared_ptr<const ScannerProfile> SessionStates::parsed(const std::optional<
 }
 
 void SessionStates::dropImpossible(StoredHistory& history) {
-  const int positions = profile_ ? static_cast<int>(profile_->workspace.size()) : 0;
-  const auto exists = [&](const OutlinedView& view) {
-    return view.record->position >= -1 && view.record->position < positions;
+  const auto known = [&](const OutlinedView& view) {
+    return view.record->position >= -1 && exists(view.record->position);
   };
   for (std::size_t i = history.entries.size(); i-- > 0;) {
     const StateOutline& outline = *history.entries[i].outline;
-    bool possible = outline.chosenPosition < positions;
+    bool possible = exists(outline.chosenPosition);
     for (const auto* list : {&outline.views, &outline.rejected, &outline.leftOut})
-      possible = possible && std::all_of(list->begin(), list->end(), exists);
+      possible = possible && std::all_of(list->begin(), list->end(), known);
     if (possible) continue;
     lose(store_.path() + ": step " + std::to_string(history.entries[i].step) + " is lost: it names no position");
     history.entries.erase(history.entries.begin() + static_cast<std::ptrdiff_t>(i));

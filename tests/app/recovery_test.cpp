@@ -16,8 +16,8 @@
 #include "io/mesh_writer.h"
 #include "support/test_data.h"
 
-// An acquisition that is killed, or whose last write is cut, goes on to what it would have become. Each test runs
-// VANTAGE_RECOVERY_RUNS times (default 6).
+// An acquisition that is killed, or whose last write is cut, goes on to what it would have become.
+// VANTAGE_RECOVERY_RUNS tells how many are killed, and cut (default 6).
 
 namespace vantage {
 namespace {
@@ -87,7 +87,8 @@ TEST_F(Recovery, KilledAtAnyMomentItGoesOnToTheSameModel) {
   const auto whole = std::chrono::steady_clock::now() - begin;
   Random random(5);
   int killed = 0;
-  for (int i = 0; i < runs(); ++i) {
+  // A run that ended before its moment counts as none, but must be as good.
+  for (int i = 0; killed < runs() && i < 4 * runs(); ++i) {
     const std::string out = "run" + std::to_string(i);
     SCOPED_TRACE(out);
     testing::ChildProgram run = acquire(out);
@@ -101,14 +102,13 @@ TEST_F(Recovery, KilledAtAnyMomentItGoesOnToTheSameModel) {
       EXPECT_EQ(reported, 0U);
       continue;
     }
-    EXPECT_TRUE(intact(session)) << "run " << i;
+    EXPECT_TRUE(intact(session));
     EXPECT_GE(Session::open(session, SessionAccess::Read).scanCount(), static_cast<std::int64_t>(reported));
     EXPECT_EQ(resume(out), 0) << bytesOf(folder_.file(out + ".resume.log"));
     expectSameResults(out, "whole");
     fs::remove_all(folder_.file(out));
   }
-  EXPECT_GE(killed, runs() / 2);
-  std::printf("%d of %d runs were killed\n", killed, runs());
+  EXPECT_EQ(killed, runs());
 }
 
 TEST_F(Recovery, CutAnywhereInTheLastWriteItGoesOnToTheSameModel) {
