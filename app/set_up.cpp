@@ -4,7 +4,6 @@
 #include <cmath>
 #include <tuple>
 
-#include "io/mesh_reader.h"
 #include "io/placement.h"
 #include "positional_space/scanner_images_cache.h"
 
@@ -13,11 +12,9 @@ namespace {
 
 void placeObject(SetUp& setUp, const Progress& progress) {
   const AcquisitionSettings& settings = setUp.choice.settings;
-  LoadedMesh loaded = loadMesh(settings.object, {}, progress);
+  PlacedMesh loaded = loadPlacedMesh(settings.object, settings.placement, setUp.profile->viewingVolume, progress);
   setUp.notes = describe(loaded.repair);
-  const Placement placement = settings.placement == "fit" ? Placement::Fit : Placement::AsIs;
-  const auto transform = computePlacement(loaded.mesh, placement, setUp.profile->viewingVolume);
-  auto object = std::make_shared<const Mesh>(placed(std::move(loaded.mesh), transform));
+  auto object = std::make_shared<const Mesh>(std::move(loaded.mesh));
   setUp.insideVolume = isInside(*object, setUp.profile->viewingVolume);
   setUp.lowest = object->vertices.empty() ? 0.0 : object->vertices.front().z();
   for (const Vec3& p : object->vertices) {

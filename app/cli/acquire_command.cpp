@@ -6,7 +6,6 @@
 #include "cli/command.h"
 #include "cli/session_run.h"
 #include "cli/text.h"
-#include "io/mesh_reader.h"
 #include "io/placement.h"
 
 namespace vantage {
@@ -16,26 +15,25 @@ struct AcquireArguments {
   std::string scanner;
   std::string out;
   std::string strategy = "ps";
+  std::string placement = "as-is";
   AcquisitionSettings settings;
 };
 
 // The object as the scanner will see it.
 Mesh placeObject(const AcquireArguments& args, const ScannerProfile& profile, CommandContext& context) {
-  const LoadedMesh loaded = loadMesh(args.settings.object, {}, context.progress().part(0.0, 1.0, "read object"));
-  if (const std::string repair = describe(loaded.repair); !repair.empty())
+  PlacedMesh object = loadPlacedMesh(args.settings.object, args.settings.placement, profile.viewingVolume,
+                                     context.progress().part(0.0, 1.0, "read object"));
+  if (const std::string repair = describe(object.repair); !repair.empty())
     context.note(args.settings.object + ": " + repair);
-  const Placement placement = args.settings.placement == "fit" ? Placement::Fit : Placement::AsIs;
-  const PlacementTransform transform = computePlacement(loaded.mesh, placement, profile.viewingVolume);
-  if (placement == Placement::Fit)
-    context.note("placed: scaled by " + number(transform.scale, 6) + ", moved by (" +
-                 number(transform.translation.x(), 3) + ", " + number(transform.translation.y(), 3) + ", " +
-                 number(transform.translation.z(), 3) + ") mm");
-  Mesh object = placed(loaded.mesh, transform);
-  if (!isInside(object, profile.viewingVolume))
+  if (args.settings.placement == Placement::Fit)
+    context.note("placed: scaled by " + number(object.transform.scale, 6) + ", moved by (" +
+                 number(object.transform.translation.x(), 3) + ", " + number(object.transform.translation.y(), 3) +
+                 ", " + number(object.transform.translation.z(), 3) + ") mm");
+  if (!isInside(object.mesh, profile.viewingVolume))
     context.note("warning: the object reaches out of the viewing volume (radius " +
                  number(profile.viewingVolume.radius, 0) + " mm, height " + number(profile.viewingVolume.height, 0) +
                  " mm); --place fit moves it inside");
-  return object;
+  return std::move(object.mesh);
 }
 
 void run(const AcquireArguments& args, CommandContext& context) {
@@ -67,7 +65,7 @@ void addAcquireCommand(CLI::App& app, CommandContext& context) {
       ->capture_default_str();
   command->add_option("--tolerance", args->settings.tolerance, "Least confidence wanted everywhere (cosine)")
       ->check(CLI::Range(0.0, 1.0));
-  command->add_option("--place", args->settings.placement, "How the mesh gets into the viewing volume")
+  command->add_option("--place", args->placement, "How the mesh gets into the viewing volume")
       ->check(CLI::IsMember({"as-is", "fit"}))
       ->capture_default_str();
   command->add_option("--first-view", args->settings.firstView, "Position of the first view")
@@ -86,6 +84,7 @@ void addAcquireCommand(CLI::App& app, CommandContext& context) {
   context.addCommonOptions(*command);
   command->callback([args, &context] {
     args->settings.strategy = parseStrategy(args->strategy);
+    args->settings.placement = parsePlacement(args->placement);
     run(*args, context);
   });
 }

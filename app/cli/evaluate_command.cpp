@@ -24,7 +24,7 @@ struct EvaluateArguments {
 
 struct AcquiredModel {
   Mesh mesh;
-  std::string placement = "as-is";  // of the object it was scanned from
+  Placement placement = Placement::AsIs;  // of the object it was scanned from
 };
 
 AcquiredModel loadModel(const std::string& path, CommandContext& context) {
@@ -38,9 +38,10 @@ AcquiredModel loadModel(const std::string& path, CommandContext& context) {
 void run(const EvaluateArguments& args, CommandContext& context) {
   const ScannerProfile profile = loadProfile(args.scanner);
   const AcquiredModel model = loadModel(args.model, context);
-  Mesh object = loadMesh(args.object, {}, context.progress().part(0.1, 0.2, "read object")).mesh;
-  const Placement placement = args.placement.value_or(model.placement) == "fit" ? Placement::Fit : Placement::AsIs;
-  object = placed(object, computePlacement(object, placement, profile.viewingVolume));
+  const Placement placement = args.placement ? parsePlacement(*args.placement) : model.placement;
+  const Mesh object =
+      loadPlacedMesh(args.object, placement, profile.viewingVolume, context.progress().part(0.1, 0.2, "read object"))
+          .mesh;
   const Evaluation e = evaluate(model.mesh, object, profile, {}, context.progress().part(0.2, 1.0));
   const auto counts = modelJson(model.mesh);
   context.result({{"scannable_share", e.scannableShare},

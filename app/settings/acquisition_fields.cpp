@@ -14,7 +14,7 @@ struct Text {
 
 AcquisitionForm AcquisitionForm::of(const AcquisitionSettings& settings) {
   AcquisitionForm form;
-  form.placement = settings.placement == "fit" ? 1 : 0;
+  form.placement = settings.placement == Placement::Fit ? 1 : 0;
   form.maxViews = settings.maxViews;
   form.tolerance = settings.tolerance;
   form.firstView = settings.firstView;
@@ -24,7 +24,7 @@ AcquisitionForm AcquisitionForm::of(const AcquisitionSettings& settings) {
 }
 
 void AcquisitionForm::writeTo(AcquisitionSettings& settings) const {
-  settings.placement = placement == 1 ? "fit" : "as-is";
+  settings.placement = placement == 1 ? Placement::Fit : Placement::AsIs;
   settings.maxViews = maxViews;
   settings.tolerance = tolerance;
   settings.firstView = firstView;

@@ -56,7 +56,7 @@ void CheckPage::entered() {
 
 void CheckPage::fit() {
   SetUpChoice choice = controller().choice();
-  choice.settings.placement = "fit";
+  choice.settings.placement = Placement::Fit;
   controller().setChoice(choice);
   controller().prepare();
 }

@@ -9,6 +9,7 @@
 
 #include "acquisition/phase_times.h"
 #include "integration/model.h"
+#include "io/placement.h"
 #include "planning/plan.h"
 #include "registration/icp.h"
 #include "scanner/profile.h"
@@ -30,7 +31,7 @@ struct Strategy {
 /// What a session was asked to do.
 struct AcquisitionSettings {
   std::string object;  ///< file that the simulated scanner looks at; empty for recorded scans
-  std::string placement = "as-is";
+  Placement placement = Placement::AsIs;
   std::uint64_t seed = 1;
   bool ideal = false;
   int firstView = 0;

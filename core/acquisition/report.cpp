@@ -139,7 +139,7 @@ nlohmann::ordered_json makeReport(const AcquisitionState& state, const std::stri
   const AcquisitionSettings& settings = state.settings;
   Json report{{"version", version},
               {"object", settings.object},
-              {"placement", settings.placement},
+              {"placement", name(settings.placement)},
               {"profile", state.profile ? state.profile->name : ""},
               {"seed", settings.seed},
               {"strategy", name(settings.strategy)},

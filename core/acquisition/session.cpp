@@ -21,7 +21,6 @@
 #include "acquisition/session_store.h"
 #include "acquisition/state_hash.h"
 #include "base/errors.h"
-#include "io/mesh_reader.h"
 #include "io/placement.h"
 
 namespace vantage {
@@ -247,9 +246,7 @@ Mesh Session::object(const Progress& progress) const {
   guard.unlock();
   if (!stored) throw InvalidInput(path() + ": has no object that a simulated scanner could look at");
   if (stored->mesh) return std::move(*stored->mesh);
-  const Placement placement = settings.placement == "fit" ? Placement::Fit : Placement::AsIs;
-  const LoadedMesh loaded = loadMesh(settings.object, {}, progress);
-  Mesh object = placed(loaded.mesh, computePlacement(loaded.mesh, placement, profile()->viewingVolume));
+  Mesh object = loadPlacedMesh(settings.object, settings.placement, profile()->viewingVolume, progress).mesh;
   if (hashText(contentHash(object)) != stored->hash)
     throw InvalidInput(settings.object + ": has changed since " + path() + " was begun, which needs it as it was");
   return object;

@@ -126,15 +126,15 @@ RegistrationResult registrationFrom(const JsonFields& fields) {
 }
 
 Json settingsJson(const AcquisitionSettings& s) {
-  return {{"object", s.object},       {"placement", s.placement},    {"seed", s.seed},
-          {"ideal", s.ideal},         {"first_view", s.firstView},   {"max_views", s.maxViews},
+  return {{"object", s.object},       {"placement", name(s.placement)}, {"seed", s.seed},
+          {"ideal", s.ideal},         {"first_view", s.firstView},      {"max_views", s.maxViews},
           {"tolerance", s.tolerance}, {"strategy", name(s.strategy)}};
 }
 
 AcquisitionSettings settingsFrom(const JsonFields& fields, const Json& json) {
   AcquisitionSettings s;
   s.object = fields.text("object");
-  s.placement = fields.text("placement");
+  s.placement = parsePlacement(fields.text("placement"));
   if (!fields.has("seed") || !json["seed"].is_number_unsigned()) fields.fail("seed");
   s.seed = json["seed"].get<std::uint64_t>();
   s.ideal = fields.flag("ideal");

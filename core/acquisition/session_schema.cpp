@@ -90,7 +90,7 @@ std::int64_t numberOf(Database& database, const char* key, std::int64_t low) {
 std::string settings1(Database& database) {
   AcquisitionSettings settings;
   settings.object = metaOf(database, "object");
-  settings.placement = metaOf(database, "placement");
+  settings.placement = parsePlacement(metaOf(database, "placement"));
   settings.seed = static_cast<std::uint64_t>(numberOf(database, "seed", 0));
   settings.ideal = metaOf(database, "ideal") == "1";
   settings.firstView = static_cast<int>(numberOf(database, "first_view", 0));

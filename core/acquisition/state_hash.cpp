@@ -14,7 +14,7 @@ std::uint64_t mixed(std::uint64_t z) {
 
 void addSettings(ContentHash& hash, const AcquisitionSettings& s) {
   hash.add(s.object);
-  hash.add(s.placement);
+  hash.add(name(s.placement));
   hash.add(s.seed);
   hash.add(s.ideal);
   hash.add(s.firstView);

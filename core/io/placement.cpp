@@ -3,11 +3,23 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "base/errors.h"
 #include "geometry/measures.h"
+#include "io/mesh_reader.h"
 
 namespace vantage {
+
+Placement parsePlacement(std::string_view text) {
+  if (text == "as-is") return Placement::AsIs;
+  if (text == "fit") return Placement::Fit;
+  throw InvalidInput("placement is '" + std::string(text) + "', expected as-is or fit");
+}
+
+std::string name(Placement placement) {
+  return placement == Placement::Fit ? "fit" : "as-is";
+}
 
 PlacementTransform computePlacement(const Mesh& mesh, Placement placement, const ViewingVolume& volume) {
   if (placement == Placement::AsIs) return {};
@@ -29,6 +41,14 @@ PlacementTransform computePlacement(const Mesh& mesh, Placement placement, const
 Mesh placed(Mesh mesh, const PlacementTransform& transform) {
   for (Vec3& v : mesh.vertices) v = transform.scale * v + transform.translation;
   return mesh;
+}
+
+PlacedMesh loadPlacedMesh(const std::string& path, Placement placement, const ViewingVolume& volume,
+                          const Progress& progress) {
+  LoadedMesh loaded = loadMesh(path, {}, progress);
+  PlacedMesh object{{}, loaded.repair, computePlacement(loaded.mesh, placement, volume)};
+  object.mesh = placed(std::move(loaded.mesh), object.transform);
+  return object;
 }
 
 bool isInside(const Mesh& mesh, const ViewingVolume& volume, double slack) {

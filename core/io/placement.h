@@ -1,15 +1,25 @@
 #pragma once
 
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "base/progress.h"
 #include "geometry/mesh.h"
+#include "io/mesh_repair.h"
 #include "scanner/profile.h"
 
 namespace vantage {
 
 /// How a mesh gets into object coordinates (mm, z up, on the table plane z = 0, near the axis).
-enum class Placement {
+enum class Placement : std::uint8_t {
   AsIs,  ///< it is there already
   Fit,   ///< scaled and moved into the viewing volume
 };
+
+/// "as-is" or "fit". @throws InvalidInput for anything else.
+[[nodiscard]] Placement parsePlacement(std::string_view text);
+[[nodiscard]] std::string name(Placement placement);
 
 /// p' = scale * p + translation. Axes stay as they are: a mesh with another axis up is scanned lying down.
 struct PlacementTransform {
@@ -26,6 +36,17 @@ inline constexpr double kFittedShare = 0.9;
 [[nodiscard]] PlacementTransform computePlacement(const Mesh& mesh, Placement placement, const ViewingVolume& volume);
 
 [[nodiscard]] Mesh placed(Mesh mesh, const PlacementTransform& transform);
+
+/// A mesh as a scanner will see it, and what was done to it.
+struct PlacedMesh {
+  Mesh mesh;  ///< in object coordinates
+  MeshRepair repair;
+  PlacementTransform transform;
+};
+
+/// Reads a mesh and places it. @throws as loadMesh and computePlacement
+[[nodiscard]] PlacedMesh loadPlacedMesh(const std::string& path, Placement placement, const ViewingVolume& volume,
+                                        const Progress& progress = {});
 
 /// Whether every vertex lies in the viewing volume, with `slack` [mm] to spare on all sides.
 [[nodiscard]] bool isInside(const Mesh& mesh, const ViewingVolume& volume, double slack = 0.5);

@@ -4,7 +4,9 @@
 
 #include "base/errors.h"
 #include "geometry/measures.h"
+#include "io/mesh_writer.h"
 #include "support/meshes.h"
+#include "support/test_data.h"
 
 namespace vantage {
 namespace {
@@ -45,6 +47,23 @@ TEST(Placement, FitPutsAnyMeshInside) {
 TEST(Placement, RefusesToFitAPoint) {
   const Mesh point{{{1, 1, 1}}, {{0, 0, 0}}};
   EXPECT_THROW(static_cast<void>(computePlacement(point, Placement::Fit, {})), InvalidInput);
+}
+
+TEST(Placement, IsReadFromItsName) {
+  for (const Placement placement : {Placement::AsIs, Placement::Fit})
+    EXPECT_EQ(parsePlacement(name(placement)), placement);
+  EXPECT_THROW(static_cast<void>(parsePlacement("beside")), InvalidInput);
+}
+
+TEST(Placement, AMeshThatIsReadLiesWhereItsTransformTakesIt) {
+  const testing::TemporaryFolder folder;
+  const Mesh box = testing::makeBox({2, 2, 3}, {4, 4, 13});
+  exportMesh(box, folder.file("box.ply"));
+  const ViewingVolume volume{100.0, 200.0};
+  EXPECT_EQ(loadPlacedMesh(folder.file("box.ply"), Placement::AsIs, volume).mesh.vertices, box.vertices);
+  const PlacedMesh fitted = loadPlacedMesh(folder.file("box.ply"), Placement::Fit, volume);
+  EXPECT_EQ(fitted.mesh.vertices, placed(box, fitted.transform).vertices);
+  EXPECT_NEAR(boundingBox(fitted.mesh).size().z(), kFittedShare * volume.height, 1e-9);
 }
 
 TEST(Placement, IsInsideKnowsAllSidesOfTheCylinder) {
