@@ -27,8 +27,8 @@ struct ZipperOptions {
   int maxHoleEdges = 16;
   /// if that takes no edge longer than this many sample spacings.
   double maxHoleChord = 2.5;
-  /// Pieces of fewer triangles are dropped.
-  int minIslandTriangles = 12;
+  /// Pieces of fewer triangles are dropped: six are one sample with all its neighbours.
+  int minIslandTriangles = 6;
 };
 
 }  // namespace vantage
