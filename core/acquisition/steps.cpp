@@ -11,6 +11,9 @@
 namespace vantage {
 namespace {
 
+// After so many moves nothing is known of where the table is.
+constexpr std::int64_t kMostMoves = 10'000;
+
 RegistrationResult firstRegistration(const Pose& T_object_scanner) {
   RegistrationResult result;
   result.T_object_scanner = T_object_scanner;
@@ -20,18 +23,32 @@ RegistrationResult firstRegistration(const Pose& T_object_scanner) {
   return result;
 }
 
-RegistrationResult registerWithModel(const AcquisitionState& state, const View& view, const StepOptions& options,
-                                     const Progress& progress) {
-  if (state.views.empty()) return firstRegistration(view.T_object_scanner);
-  const RegistrationTarget target(state.model->mesh, state.model->confidence);
-  return registerView(*view.mesh, *view.image->rays, view.T_object_scanner, target, options.registration, progress);
+// What is known of the motion from one scan to a later one: the table moved for every scan in between, also for those
+// that are no views.
+std::optional<PosePrior> priorOf(const StepOptions& options, std::int64_t from, std::int64_t to) {
+  if (!options.mechanics) return options.registration.prior;
+  return turntablePrior(*options.mechanics, static_cast<int>(std::clamp<std::int64_t>(to - from, 1, kMostMoves)));
 }
 
-// Moves the views to where all of them agree best.
-void refine(std::vector<View>& views, const StepOptions& options, const Progress& progress) {
+RegistrationResult registerWithModel(const AcquisitionState& state, const View& view, std::int64_t scan,
+                                     const StepOptions& options, const Progress& progress) {
+  if (state.views.empty()) return firstRegistration(view.T_object_scanner);
+  const RegistrationTarget target(state.model->mesh, state.model->confidence);
+  IcpOptions registration = options.registration;
+  registration.prior = priorOf(options, state.records.back().scan, scan);
+  return registerView(*view.mesh, *view.image->rays, view.T_object_scanner, target, registration, progress);
+}
+
+// Moves the views, of scans with these numbers, to where all of them and the mechanics agree best.
+void refine(std::vector<View>& views, std::span<const std::int64_t> scans, const StepOptions& options,
+            const Progress& progress) {
   if (views.size() < 2) return;
   MultiViewOptions refinement = options.refinement;
-  if (options.registration.prior) refinement.priors.assign(views.size(), *options.registration.prior);
+  for (std::size_t i = 1; i < views.size(); ++i) {
+    const Pose T_from_to = views[i - 1].image->T_object_scanner.inverse() * views[i].image->T_object_scanner;
+    if (const auto prior = priorOf(options, scans[i - 1], scans[i]))
+      refinement.ties.push_back({i - 1, i, T_from_to, *prior});
+  }
   const MultiViewResult refined = refineViews(views, refinement, progress);
   for (std::size_t i = 0; i < views.size(); ++i) views[i].T_object_scanner = refined.poses[i];
 }
@@ -43,7 +60,7 @@ StepOptions stepOptionsFor(const ScannerProfile& profile, const AcquisitionSetti
   options.triangulation.breakdownAngle = profile.breakdownAngle;
   options.zipper.breakdownAngle = profile.breakdownAngle;
   options.planner.tolerance = settings.tolerance;
-  options.registration.prior = turntablePrior(profile.mechanics);
+  options.mechanics = profile.mechanics;
   return options;
 }
 
@@ -76,14 +93,17 @@ AcquisitionState addScan(const AcquisitionState& state, const NumberedScan& scan
   if (view.mesh->mesh.empty() && state.views.empty())
     throw InvalidInput("the first scan, from position " + std::to_string(view.image->position) +
                        ", has no surface: is the object inside the viewing volume?");
-  RegistrationResult registration = registerWithModel(state, view, options, registering.part(0.0, 0.7));
+  RegistrationResult registration = registerWithModel(state, view, scan.number, options, registering.part(0.0, 0.7));
   if (registration.verdict == Verdict::Failed) {
     next.rejected.push_back({scan.number, view.image, std::move(registration)});
     return next;
   }
   view.T_object_scanner = registration.T_object_scanner;
   next.views.push_back(view);
-  refine(next.views, options, registering.part(0.7, 1.0));
+  std::vector<std::int64_t> scans;
+  for (const ViewRecord& earlier : next.records) scans.push_back(earlier.scan);
+  scans.push_back(scan.number);
+  refine(next.views, scans, options, registering.part(0.7, 1.0));
 
   const Progress integrating = progress.part(0.5, 1.0, "integrate");
   const Model before = state.model ? reposed(*state.model, next.views) : Model{};

@@ -18,6 +18,7 @@ namespace vantage {
 
 /// Options of every operation that a step runs.
 struct StepOptions {
+  std::optional<Mechanics> mechanics;  ///< of the moves between scans; unset: nothing is known of them
   TriangulationOptions triangulation;
   IcpOptions registration;
   MultiViewOptions refinement;

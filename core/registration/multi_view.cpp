@@ -18,6 +18,8 @@ constexpr double kPriorAngle = radians(3.0);
 constexpr double kPriorShift = 3.0;  // [mm]
 // While few points are looked up the poses need not be better than this [mm].
 constexpr double kCoarseTolerance = 0.02;
+// The error may rise so much when poses give in to the ties: the pairs' noise has been fitted before.
+constexpr double kMayRise = 1.02;
 
 // The sparse normal equations of all poses but the first, which stays.
 class NormalEquations {
@@ -78,9 +80,8 @@ class Refiner {
     for (const View& view : views) start_.push_back(view.T_object_scanner);
     poses_ = start_;
     measureObject();
-    priors_ = options.priors;
-    for (std::size_t i = priors_.size(); i < views.size(); ++i)
-      priors_.push_back(isotropicPrior(kPriorAngle, kPriorShift, centres_[i]));
+    tied_.assign(views.size(), false);
+    for (const PoseTie& tie : options.ties) tied_[tie.to] = true;
   }
 
   MultiViewResult run(const Progress& progress) {
@@ -88,13 +89,15 @@ class Refiner {
     auto rough = findLinks(views_, poses_, gatesAt(options_.coarseGate), options_.minOverlap, options_.coarsePoints,
                            options_.leastPoints, progress.part(0.0, 0.1));
     result.rmsBefore = errorOf(rough, progress.part(0.1, 0.15));
+    const double tensionBefore = tension();
     std::vector<ViewLink> judges = rough;
     settle(rough, options_.coarseGate, kCoarseTolerance, progress.part(0.15, 0.4), result.iterations);
     auto fine = findLinks(views_, poses_, gatesAt(options_.finalGate), options_.minOverlap, options_.finePoints,
                           options_.leastPoints, progress.part(0.4, 0.45));
     settle(fine, options_.finalGate, options_.tolerance, progress.part(0.45, 0.95), result.iterations);
     result.rmsAfter = errorOf(judges, progress.part(0.95, 1.0));
-    result.improved = result.rmsAfter < result.rmsBefore;
+    result.improved = result.rmsAfter < result.rmsBefore ||
+                      (tension() < tensionBefore && result.rmsAfter < kMayRise * result.rmsBefore);
     if (!result.improved) {
       poses_ = start_;
       result.rmsAfter = result.rmsBefore;
@@ -131,6 +134,21 @@ class Refiner {
     radius_ = std::max(std::sqrt(squares / static_cast<double>(std::max<std::size_t>(count, 1))), 1e-6);
   }
 
+  // How far a pose is from where its tie wants it.
+  [[nodiscard]] Vec6 stretch(const PoseTie& tie) const {
+    return motionVector(poses_[tie.to] * (poses_[tie.from] * tie.T_from_to).inverse(), tie.prior.centre);
+  }
+
+  // Of all ties, as a sum of squares in sigmas.
+  [[nodiscard]] double tension() const {
+    double sum = 0.0;
+    for (const PoseTie& tie : options_.ties) {
+      const Vec6 x = stretch(tie);
+      sum += x.dot(tie.prior.information * x);
+    }
+    return sum;
+  }
+
   double errorOf(std::vector<ViewLink>& links, const Progress& progress) const {
     findPairs(views_, poses_, gatesAt(options_.finalGate), progress, links);
     return robustRms(links, options_.finalGate);
@@ -160,10 +178,17 @@ class Refiner {
     NormalEquations equations(views_.size());
     for (std::size_t l = 0; l < links.size(); ++l) equations.addLink(links[l].from, links[l].to, terms[l]);
     for (std::size_t i = 1; i < views_.size(); ++i) {
-      const Mat6 toPrior = changeOfCentre(centre_, priors_[i].centre);
-      const Vec6 away = motionVector(poses_[i] * start_[i].inverse(), priors_[i].centre);
-      equations.addPrior(i, informationAbout(priors_[i], centre_),
-                         -toPrior.transpose() * priors_[i].information * away);
+      if (tied_[i]) continue;
+      const PosePrior prior = isotropicPrior(kPriorAngle, kPriorShift, centres_[i]);
+      const Mat6 toPrior = changeOfCentre(centre_, prior.centre);
+      const Vec6 away = motionVector(poses_[i] * start_[i].inverse(), prior.centre);
+      equations.addPrior(i, informationAbout(prior, centre_), -toPrior.transpose() * prior.information * away);
+    }
+    for (const PoseTie& tie : options_.ties) {
+      PairTerm term;
+      term.information = informationAbout(tie.prior, centre_);
+      term.pull = -changeOfCentre(centre_, tie.prior.centre).transpose() * tie.prior.information * stretch(tie);
+      equations.addLink(tie.from, tie.to, term);
     }
     const std::vector<Vec6> motions = equations.solve();
     double farthest = 0.0;
@@ -185,7 +210,7 @@ class Refiner {
   std::vector<PreparedView> views_;
   std::vector<Pose> start_;
   std::vector<Pose> poses_;
-  std::vector<PosePrior> priors_;
+  std::vector<bool> tied_;  // whether a tie leads to the view
   std::vector<Vec3> centres_;
   Vec3 centre_ = Vec3::Zero();
   double radius_ = 1.0;
@@ -196,9 +221,10 @@ class Refiner {
 MultiViewResult refineViews(std::span<const View> views, const MultiViewOptions& options, const Progress& progress) {
   if (!(options.finalGate > 0.0) || !(options.coarseGate >= options.finalGate))
     throw InvalidInput("multi-view registration needs gates with 0 < final gate <= coarse gate");
-  if (!options.priors.empty() && options.priors.size() != views.size())
-    throw InvalidInput(std::to_string(options.priors.size()) + " priors given for " + std::to_string(views.size()) +
-                       " views");
+  for (const PoseTie& tie : options.ties)
+    if (tie.from >= views.size() || tie.to >= views.size() || tie.from == tie.to)
+      throw InvalidInput("a tie leads from view " + std::to_string(tie.from) + " to view " + std::to_string(tie.to) +
+                         ", expected two of " + std::to_string(views.size()) + " views");
   if (views.size() < 2) {
     MultiViewResult result;
     for (const View& view : views) {

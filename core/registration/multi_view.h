@@ -10,6 +10,15 @@
 
 namespace vantage {
 
+/// What is known of the motion between two views besides their surfaces: T_object_to is a small motion, distributed as
+/// the prior says, of T_object_from * T_from_to.
+struct PoseTie {
+  std::size_t from = 0;
+  std::size_t to = 0;
+  Pose T_from_to = Pose::Identity();
+  PosePrior prior;
+};
+
 struct MultiViewOptions {
   double coarseGate = 2.0;          ///< largest distance of a pair at the beginning [mm]
   double finalGate = 0.8;           ///< and at the end [mm]
@@ -22,15 +31,16 @@ struct MultiViewOptions {
   std::size_t leastPoints = 500;
   int maxIterations = 40;
   double tolerance = 2e-3;  ///< the poses have settled when points move less than this [mm]
-  /// What else is known of the poses, one per view around its pose, or empty: 3 degrees and 3 mm about each view's
-  /// centroid. It decides about motions that no pair of views holds.
-  std::vector<PosePrior> priors;
+  /// What the mechanics know of the motions between views: a chain of moves does not forget what was commanded, however
+  /// often the poses are refined. A view that no tie leads to is held at its pose by 3 degrees and 3 mm about its
+  /// centroid, which decides about motions that no pair of views holds.
+  std::vector<PoseTie> ties;
 };
 
 struct MultiViewResult {
   std::vector<Pose> poses;  ///< one per view, T_object_scanner; the first is the given one to the last bit
   double rmsBefore = 0.0;   ///< of the overlaps, distances beyond the final gate counting as the gate [mm]
-  double rmsAfter = 0.0;    ///< never larger
+  double rmsAfter = 0.0;    ///< larger only where ties outweigh it
   std::size_t pairs = 0;    ///< of points, in the last round
   int iterations = 0;
   bool improved = false;             ///< false: the poses are the given ones
@@ -41,8 +51,9 @@ struct MultiViewResult {
 /// views (projective association both ways, gates coarse to fine, Geman-McClure weights), one sparse system of 6 (n -
 /// 1) unknowns per round. The error that a chain of registrations piles up where it closes is spread over all views.
 ///
-/// Poses are taken over only if the robust error falls. Deterministic for any thread count.
-/// @throws InvalidInput when the options contradict each other or priors are not one per view; Cancelled
+/// Poses are taken over only if the robust error, with what the ties say of them, falls. Deterministic for any thread
+/// count.
+/// @throws InvalidInput when the options contradict each other or a tie is not of two of the views; Cancelled
 [[nodiscard]] MultiViewResult refineViews(std::span<const View> views, const MultiViewOptions& options,
                                           const Progress& progress = {});
 

@@ -136,11 +136,57 @@ TEST(MultiView, OfOneViewOrNoneIsThatView) {
   EXPECT_TRUE(refineViews({}, {}).poses.empty());
 }
 
-TEST(MultiView, RefusesPriorsThatAreNotOnePerView) {
-  const Ring ring = makeRing(2);
+PosePrior precise() {
+  return isotropicPrior(radians(0.1), 0.1, Vec3::Zero());
+}
+
+// A vase may turn about its axis as it likes. What is known of the moves between its scans turns it, whereever it
+// began.
+TEST(MultiView, TiesDecideWhatTheSurfacesLeaveOpen) {
+  const auto profile = makeProfile(0.1, 90, 90);
+  std::vector<View> views;
+  std::vector<Pose> truth;
   MultiViewOptions options;
-  options.priors.resize(1);
-  EXPECT_THROW((void)refineViews(ring.views, options), InvalidInput);
+  for (int i = 0; i < 6; ++i) {
+    views.push_back(scanVase(profile, 15 * i, static_cast<unsigned>(i) + 1));
+    truth.push_back(views.back().T_object_scanner);
+    if (i > 0)
+      options.ties.push_back(
+          {views.size() - 2, views.size() - 1, truth[views.size() - 2].inverse() * truth.back(), precise()});
+  }
+  for (const double off : {-1.0, 1.5}) {
+    for (std::size_t i = 1; i < views.size(); ++i)
+      views[i].T_object_scanner = Eigen::AngleAxisd(radians(off), Vec3::UnitZ()) * truth[i];
+    const MultiViewResult result = refineViews(views, options);
+    EXPECT_TRUE(result.improved);
+    for (std::size_t i = 0; i < views.size(); ++i) {
+      const Vec6 motion = motionVector(result.poses[i] * truth[i].inverse(), Vec3::Zero());
+      EXPECT_LT(std::abs(motion[2]), radians(0.1)) << i << " from " << off;
+    }
+  }
+}
+
+TEST(MultiView, TiesGiveInToTheSurfaces) {
+  Ring ring = makeRing(6);
+  MultiViewOptions options;
+  Pose wrong = Pose::Identity();
+  wrong.translate(Vec3(0.2, -0.2, 0.1));
+  for (std::size_t i = 1; i < ring.views.size(); ++i) {
+    options.ties.push_back({i - 1, i, ring.truth[i - 1].inverse() * wrong * ring.truth[i], precise()});
+    ring.views[i].T_object_scanner = ring.views[i - 1].T_object_scanner * options.ties.back().T_from_to;
+  }
+  const MultiViewResult result = refineViews(ring.views, options);
+  EXPECT_TRUE(result.improved);
+  EXPECT_LT(ring.error(result.poses), 0.12);
+}
+
+TEST(MultiView, RefusesATieThatDoesNotJoinTwoViews) {
+  const Ring ring = makeRing(2);
+  for (const auto& [from, to] : {std::pair<std::size_t, std::size_t>{0, 2}, {1, 1}, {7, 0}}) {
+    MultiViewOptions options;
+    options.ties.push_back({from, to, Pose::Identity(), precise()});
+    EXPECT_THROW((void)refineViews(ring.views, options), InvalidInput);
+  }
 }
 
 TEST(Alignment, BringsDisturbedViewsTogether) {
