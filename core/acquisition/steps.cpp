@@ -101,6 +101,7 @@ AcquisitionState addScan(const AcquisitionState& state, const NumberedScan& scan
   view.T_object_scanner = registration.T_object_scanner;
   next.views.push_back(view);
   std::vector<std::int64_t> scans;
+  scans.reserve(next.records.size() + 1);
   for (const ViewRecord& earlier : next.records) scans.push_back(earlier.scan);
   scans.push_back(scan.number);
   refine(next.views, scans, options, registering.part(0.7, 1.0));

@@ -40,7 +40,7 @@ struct MultiViewOptions {
 struct MultiViewResult {
   std::vector<Pose> poses;  ///< one per view, T_object_scanner; the first is the given one to the last bit
   double rmsBefore = 0.0;   ///< of the overlaps, distances beyond the final gate counting as the gate [mm]
-  double rmsAfter = 0.0;    ///< larger only where ties outweigh it
+  double rmsAfter = 0.0;    ///< larger only where ties outweigh it, and by less than 2 %
   std::size_t pairs = 0;    ///< of points, in the last round
   int iterations = 0;
   bool improved = false;             ///< false: the poses are the given ones
@@ -51,8 +51,8 @@ struct MultiViewResult {
 /// views (projective association both ways, gates coarse to fine, Geman-McClure weights), one sparse system of 6 (n -
 /// 1) unknowns per round. The error that a chain of registrations piles up where it closes is spread over all views.
 ///
-/// Poses are taken over only if the robust error, with what the ties say of them, falls. Deterministic for any thread
-/// count.
+/// Poses are taken over only if the robust error falls, or if they are nearer to what the ties say and it rises by less
+/// than 2 %. Deterministic for any thread count.
 /// @throws InvalidInput when the options contradict each other or a tie is not of two of the views; Cancelled
 [[nodiscard]] MultiViewResult refineViews(std::span<const View> views, const MultiViewOptions& options,
                                           const Progress& progress = {});
