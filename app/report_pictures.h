@@ -3,7 +3,7 @@
 #include <QImage>
 #include <vector>
 
-#include "acquisition/html_report.h"
+#include "report/html_report.h"
 #include "scanner/range_image.h"
 
 namespace vantage {

@@ -5,10 +5,10 @@
 
 #include "acquisition/apply_command.h"
 #include "acquisition/automatic_run.h"
-#include "acquisition/scan_source.h"
 #include "base/errors.h"
 #include "io/atomic_file.h"
 #include "io/mesh_writer.h"
+#include "session/kept_scans.h"
 #include "session_start.h"
 
 namespace vantage {

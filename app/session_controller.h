@@ -9,13 +9,13 @@
 #include <string>
 #include <vector>
 
-#include "acquisition/html_report.h"
 #include "acquisition/next_scan.h"
-#include "acquisition/session.h"
 #include "acquisition/test_turn.h"
 #include "job_runner.h"
 #include "planning/explanation.h"
+#include "report/html_report.h"
 #include "scanner/table_turn.h"
+#include "session/session.h"
 #include "set_up.h"
 
 namespace vantage {

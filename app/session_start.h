@@ -4,7 +4,7 @@
 #include <string>
 
 #include "acquisition/automatic_run.h"
-#include "acquisition/session.h"
+#include "session/session.h"
 #include "set_up.h"
 
 namespace vantage {

@@ -1,12 +1,12 @@
 #include <filesystem>
 #include <memory>
 
-#include "acquisition/session.h"
 #include "base/errors.h"
 #include "cli/command.h"
 #include "cli/session_run.h"
 #include "cli/text.h"
 #include "io/placement.h"
+#include "session/session.h"
 
 namespace vantage {
 namespace {

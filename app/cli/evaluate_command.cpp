@@ -2,8 +2,6 @@
 #include <optional>
 #include <string>
 
-#include "acquisition/evaluation.h"
-#include "acquisition/report.h"
 #include "base/errors.h"
 #include "cli/command.h"
 #include "cli/open_session.h"
@@ -11,6 +9,8 @@
 #include "io/file_kind.h"
 #include "io/mesh_reader.h"
 #include "io/placement.h"
+#include "report/evaluation.h"
+#include "report/report.h"
 
 namespace vantage {
 namespace {

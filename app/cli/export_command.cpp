@@ -1,9 +1,9 @@
 #include <memory>
 
-#include "acquisition/report.h"
 #include "cli/command.h"
 #include "cli/open_session.h"
 #include "io/mesh_writer.h"
+#include "report/report.h"
 
 namespace vantage {
 namespace {

@@ -2,13 +2,13 @@
 #include <optional>
 
 #include "acquisition/import_scans.h"
-#include "acquisition/report.h"
-#include "acquisition/session.h"
 #include "base/errors.h"
 #include "cli/command.h"
 #include "cli/text.h"
 #include "io/range_files.h"
 #include "io/scan_poses.h"
+#include "report/report.h"
+#include "session/session.h"
 
 namespace vantage {
 namespace {

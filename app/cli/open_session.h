@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include "acquisition/session.h"
 #include "cli/command.h"
+#include "session/session.h"
 
 namespace vantage {
 

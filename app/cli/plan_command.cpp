@@ -1,7 +1,6 @@
 #include <memory>
 #include <optional>
 
-#include "acquisition/report.h"
 #include "acquisition/steps.h"
 #include "base/errors.h"
 #include "cli/cache_directory.h"
@@ -10,6 +9,7 @@
 #include "cli/text.h"
 #include "planning/choice.h"
 #include "positional_space/scanner_images_cache.h"
+#include "report/report.h"
 
 namespace vantage {
 namespace {

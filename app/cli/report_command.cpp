@@ -1,11 +1,11 @@
 #include <memory>
 
-#include "acquisition/html_report.h"
 #include "cli/command.h"
 #include "cli/open_session.h"
 #include "cli/picture_application.h"
 #include "cli/text.h"
 #include "osmesa/osmesa_window.h"
+#include "report/html_report.h"
 #include "report_pictures.h"
 #include "scenes/model_scene.h"
 

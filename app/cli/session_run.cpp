@@ -7,14 +7,15 @@
 #include "acquisition/automatic_run.h"
 #include "acquisition/next_scan.h"
 #include "acquisition/patient_scanner.h"
-#include "acquisition/report.h"
 #include "base/errors.h"
 #include "cli/cache_directory.h"
 #include "cli/text.h"
 #include "io/mesh_writer.h"
 #include "planning/choice.h"
 #include "positional_space/scanner_images_cache.h"
+#include "report/report.h"
 #include "scanner/simulated_scanner.h"
+#include "session/kept_scans.h"
 
 namespace vantage {
 namespace {

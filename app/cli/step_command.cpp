@@ -2,7 +2,6 @@
 
 #include "acquisition/apply_command.h"
 #include "acquisition/next_scan.h"
-#include "acquisition/report.h"
 #include "base/errors.h"
 #include "cli/cache_directory.h"
 #include "cli/command.h"
@@ -10,6 +9,7 @@
 #include "cli/session_run.h"
 #include "io/range_files.h"
 #include "positional_space/scanner_images_cache.h"
+#include "report/report.h"
 
 namespace vantage {
 namespace {

@@ -10,12 +10,4 @@ ScanSource countedScans(ScannerDevice& scanner) {
   };
 }
 
-ScanSource keptScans(ScannerDevice& scanner, Session& session) {
-  return [&scanner, &session](int position, const Progress& progress) {
-    const auto unused = session.unusedScan();
-    if (unused && unused->image->position == position) return *unused;
-    return session.keepScan(scanner.scan(position, progress));
-  };
-}
-
 }  // namespace vantage

@@ -2,7 +2,6 @@
 
 #include <functional>
 
-#include "acquisition/session.h"
 #include "acquisition/steps.h"
 #include "base/progress.h"
 #include "scanner/device.h"
@@ -15,9 +14,5 @@ using ScanSource = std::function<NumberedScan(int position, const Progress& prog
 
 /// Scans of a device, numbered from 0, for acquisitions that are not kept. The device must outlive it.
 [[nodiscard]] ScanSource countedScans(ScannerDevice& scanner);
-
-/// Scans of a device that are in the session before anything is made of them. A scan that an interrupted run left there
-/// is handed out first, if it was taken from the position asked for. Both must outlive it.
-[[nodiscard]] ScanSource keptScans(ScannerDevice& scanner, Session& session);
 
 }  // namespace vantage

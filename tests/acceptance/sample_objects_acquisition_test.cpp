@@ -4,9 +4,9 @@
 #include <string>
 
 #include "acquisition/automatic_run.h"
-#include "acquisition/evaluation.h"
 #include "geometry/measures.h"
 #include "io/mesh_reader.h"
+#include "report/evaluation.h"
 #include "scanner/simulated_scanner.h"
 
 // The main job on what is shipped: the sample objects before the sample scanner, with noise and mechanical errors.

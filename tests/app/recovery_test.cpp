@@ -7,13 +7,13 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
-#include "acquisition/database.h"
-#include "acquisition/session.h"
-#include "acquisition/session_blobs.h"
 #include "app/child_program.h"
 #include "base/random.h"
-#include "core/acquisition/small_scene.h"
 #include "io/mesh_writer.h"
+#include "session/database.h"
+#include "session/session.h"
+#include "session/session_blobs.h"
+#include "support/scenes/small_scene.h"
 #include "support/test_data.h"
 
 // An acquisition that is killed, or whose last write is cut, goes on to what it would have become.

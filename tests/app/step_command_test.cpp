@@ -1,10 +1,10 @@
 #include <gtest/gtest.h>
 
 #include "acquisition/next_scan.h"
-#include "acquisition/session.h"
 #include "app/child_program.h"
-#include "core/acquisition/small_scene.h"
 #include "io/range_files.h"
+#include "session/session.h"
+#include "support/scenes/small_scene.h"
 #include "support/test_data.h"
 
 namespace vantage {

@@ -8,9 +8,9 @@
 #include <string>
 
 #include "acquisition/automatic_run.h"
-#include "acquisition/report.h"
 #include "acquisition/scan_source.h"
 #include "io/mesh_reader.h"
+#include "report/report.h"
 #include "scanner/simulated_scanner.h"
 
 namespace vantage {

@@ -7,11 +7,11 @@
 #include <vector>
 
 #include "acquisition/automatic_run.h"
-#include "acquisition/session.h"
-#include "core/acquisition/large_session.h"
+#include "core/session/large_session.h"
 #include "io/mesh_reader.h"
 #include "positional_space/scanner_images_cache.h"
 #include "scanner/simulated_scanner.h"
+#include "session/session.h"
 #include "support/test_data.h"
 
 // What keeping a session costs beside the acquisition that it records, in one run; and how long a session of 120 views

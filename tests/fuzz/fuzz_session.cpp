@@ -4,13 +4,14 @@
 #include <array>
 
 #include "acquisition/automatic_run.h"
-#include "acquisition/database.h"
-#include "acquisition/session.h"
-#include "acquisition/session_schema.h"
 #include "base/errors.h"
 #include "fuzz/fuzz_target.h"
 #include "fuzz/scratch_file.h"
 #include "scanner/simulated_scanner.h"
+#include "session/database.h"
+#include "session/kept_scans.h"
+#include "session/session.h"
+#include "session/session_schema.h"
 #include "support/meshes.h"
 
 // An input begins with what to do: 0: the rest is a session file as it stands. Else a good session is changed in one

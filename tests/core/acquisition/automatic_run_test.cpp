@@ -2,11 +2,11 @@
 
 #include <gtest/gtest.h>
 
-#include "acquisition/evaluation.h"
-#include "acquisition/report.h"
 #include "base/errors.h"
 #include "geometry/measures.h"
-#include "small_scene.h"
+#include "report/evaluation.h"
+#include "report/report.h"
+#include "support/scenes/small_scene.h"
 
 namespace vantage {
 namespace {

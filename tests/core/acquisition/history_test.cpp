@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "acquisition/state_hash.h"
 #include "base/errors.h"
+#include "session/state_hash.h"
 
 namespace vantage {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "small_scene.h"
+#include "support/scenes/small_scene.h"
 
 namespace vantage {
 namespace {

@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
 #include "acquisition/steps.h"
-#include "core/acquisition/small_scene.h"
 #include "planning/choice.h"
+#include "support/scenes/small_scene.h"
 
 namespace vantage {
 namespace {

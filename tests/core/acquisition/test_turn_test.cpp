@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "base/errors.h"
-#include "small_scene.h"
 #include "support/meshes.h"
+#include "support/scenes/small_scene.h"
 
 namespace vantage {
 namespace {

@@ -8,7 +8,7 @@
 #include "base/errors.h"
 #include "positional_space/objective_sums.h"
 #include "scanner/simulated_scanner.h"
-#include "small_scene.h"
+#include "support/scenes/small_scene.h"
 
 namespace vantage {
 namespace {

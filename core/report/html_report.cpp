@@ -1,0 +1,246 @@
+#include "report/html_report.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <cstdio>
+#include <map>
+#include <string_view>
+
+#include "base/errors.h"
+#include "planning/choice.h"
+#include "report/report.h"
+#include "report/svg_chart.h"
+
+namespace vantage {
+namespace {
+
+constexpr std::string_view kStyle = R"(<style>
+:root { --text: #1d2329; --faint: #5d6873; --line: #d3d9de; --bar: #8fb3d1; --mark: #b35900; --back: #ffffff; }
+@media (prefers-color-scheme: dark) { :root { --text: #e4e8eb; --faint: #9aa6b0; --line: #3c454d; --bar: #4d7ea3;
+  --mark: #f0a04b; --back: #1b1f23; } }
+body { font: 15px/1.5 "DejaVu Sans", "Segoe UI", sans-serif; color: var(--text); background: var(--back);
+  max-width: 980px; margin: 2em auto; padding: 0 1em; }
+h1 { font-size: 1.6em; } h2 { font-size: 1.2em; margin-top: 2em; border-bottom: 1px solid var(--line); }
+table { border-collapse: collapse; width: 100%; } td, th { padding: .3em .6em; text-align: right;
+  border-bottom: 1px solid var(--line); } th:first-child, td:first-child { text-align: left; }
+figure { margin: 0; } figcaption, .faint, svg text { color: var(--faint); fill: var(--faint); font-size: 12px; }
+.pictures { display: grid; grid-template-columns: repeat(auto-fill, minmax(280px, 1fr)); gap: 1em; }
+img { width: 100%; border: 1px solid var(--line); } svg { width: 100%; }
+.bar { fill: var(--bar); } .marked { fill: var(--mark); } .axis { stroke: var(--line); }
+.threshold { stroke: var(--mark); stroke-dasharray: 5 4; } .line { fill: none; stroke: var(--bar); stroke-width: 2; }
+</style>
+)";
+
+struct Phase {
+  const char* key;
+  const char* title;
+};
+// The phases of Table 2, in the order in which a step runs them.
+constexpr std::array<Phase, 7> kPhases{{{"scan", "Scan"},
+                                        {"register", "Register"},
+                                        {"integrate", "Integrate"},
+                                        {"void_patches", "Void patches"},
+                                        {"project_void", "Form P_v"},
+                                        {"project_seen", "Form P_s"},
+                                        {"choose", "Choose"}}};
+
+std::string figure(double value, int decimals) {
+  char text[64];
+  std::snprintf(text, sizeof text, "%.*f", decimals, value);
+  return text;
+}
+
+std::string cell(const std::string& text) {
+  return "<td>" + text + "</td>";
+}
+
+std::string row(const std::vector<std::string>& cells, std::string_view tag = "td") {
+  std::string html = "<tr>";
+  for (const std::string& text : cells)
+    html.append("<").append(tag).append(">").append(text).append("</").append(tag).append(">");
+  return html + "</tr>\n";
+}
+
+std::string base64(std::string_view bytes) {
+  constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  text.reserve((bytes.size() + 2) / 3 * 4);
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    std::uint32_t group = 0;
+    for (std::size_t k = 0; k < 3; ++k)
+      group = group << 8U | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0U);
+    for (std::size_t k = 0; k < 4; ++k) text += i + k > bytes.size() ? '=' : kDigits[group >> (18U - 6U * k) & 63U];
+  }
+  return text;
+}
+
+std::string pictureHtml(const ReportPicture& picture) {
+  const std::string caption = escapedHtml(picture.caption);
+  return "<figure><img alt=\"" + caption + "\" src=\"data:image/png;base64," + base64(picture.png) + "\"><figcaption>" +
+         caption + "</figcaption></figure>\n";
+}
+
+std::string picturesHtml(const std::vector<ReportPicture>& pictures) {
+  if (pictures.empty()) return {};
+  std::string html = "<div class=\"pictures\">\n";
+  for (const ReportPicture& picture : pictures) html += pictureHtml(picture);
+  return html + "</div>\n";
+}
+
+std::string_view sentence(Termination termination) {
+  switch (termination) {
+    case Termination::Running:
+      return "The acquisition goes on.";
+    case Termination::Finished:
+      return "Finished: no position would show more than the termination threshold.";
+    case Termination::NoOverlap:
+      return "Ended: void is left, but no position that shows it overlaps the model enough.";
+    case Termination::MaxViews:
+      return "Ended: the greatest number of views was taken.";
+    case Termination::RegistrationFailed:
+      return "Ended: scans could not be registered with the model.";
+    case Termination::Cancelled:
+      return "Stopped by the operator.";
+  }
+  return "";
+}
+
+std::string_view sentence(EdgeReason reason, PlanOutcome outcome) {
+  switch (reason) {
+    case EdgeReason::OutOfReach:
+      return "No ranging ray of any position reaches it.";
+    case EdgeReason::TooSteep:
+      return "Every ray that reaches it meets it more steeply than the breakdown angle.";
+    case EdgeReason::LightBlocked:
+      return "The object itself blocks the light from every position.";
+    case EdgeReason::ReceiverBlocked:
+      return "Light reaches it, but the object hides it from every receiver.";
+    case EdgeReason::BelowThreshold:
+      return outcome == PlanOutcome::Found ? "Not scanned yet: a view would still have shown more."
+                                           : "It could be seen, but one view would add less than the threshold.";
+    case EdgeReason::Answered:
+      return "Views looked at it and found no surface there.";
+  }
+  return "";
+}
+
+std::string summaryHtml(const AcquisitionState& state) {
+  const AcquisitionSettings& settings = state.settings;
+  const auto model = modelJson(state.model ? state.model->mesh : Mesh{});
+  std::string html = "<p>" + std::string(sentence(state.termination)) + "</p>\n<table>";
+  html += row({"Object", escapedHtml(settings.object.empty() ? "recorded scans" : settings.object)});
+  html += row({"Scanner", escapedHtml(state.profile ? state.profile->name : "none: recorded scans")});
+  html += row({"Views", std::to_string(state.views.size()) + " integrated, " + std::to_string(state.rejected.size()) +
+                            " not registered"});
+  html +=
+      row({"Model", model["triangles"].dump() + " triangles, " + figure(model["area_mm2"].get<double>(), 0) + " mm²"});
+  html += row({"Boundary", model["boundary_edges"].dump() + " edges"});
+  return html + "</table>\n";
+}
+
+std::string coverageHtml(const AcquisitionState& state) {
+  LineChart chart{"Area of the model after each view [mm²]", {}};
+  double area = 0.0;
+  for (const ViewRecord& record : state.records) chart.values.push_back(area += record.newArea);
+  return "<h2>Coverage</h2>\n<p class=\"faint\">" + escapedHtml(chart.title) + "</p>\n" + drawChart(chart);
+}
+
+std::string promisedCells(const ViewRecord& record) {
+  if (!record.predicted) return cell("–") + cell("–");
+  return cell(figure(promise(*record.predicted), 0)) + cell(figure(record.predicted->overlapArea, 0));
+}
+
+std::string viewsHtml(const AcquisitionState& state) {
+  std::string html =
+      "<h2>Views</h2>\n<p class=\"faint\">Void and overlap as promised by the plan, weighted by confidence; areas "
+      "as they came [mm²]; registration residual [mm].</p>\n<table>";
+  html += row({"View", "Position", "Samples", "Void promised", "Overlap promised", "New area", "Overlap", "Residual",
+               "Verdict"},
+              "th");
+  for (std::size_t i = 0; i < state.records.size(); ++i) {
+    const ViewRecord& r = state.records[i];
+    html += "<tr>" + cell(std::to_string(i + 1)) + cell(std::to_string(r.position)) + cell(std::to_string(r.samples)) +
+            promisedCells(r) + cell(figure(r.newArea, 0)) + cell(figure(r.overlapArea, 0)) +
+            cell(figure(r.registration.rms, 3)) + cell(std::string(name(r.registration.verdict))) + "</tr>\n";
+  }
+  for (const RejectedScan& scan : state.rejected)
+    html += row({"not integrated", std::to_string(scan.image->position), std::to_string(scan.image->sampleCount()), "",
+                 "", "", "", figure(scan.registration.rms, 3), escapedHtml(scan.registration.reason)});
+  return html + "</table>\n";
+}
+
+std::string objectiveHtml(const AcquisitionState& state) {
+  std::string html;
+  for (std::size_t i = 0; i < state.records.size(); ++i) {
+    if (!state.records[i].plan || state.records[i].plan->scores.empty()) continue;
+    const Plan& plan = *state.records[i].plan;
+    BarChart chart{"After view " + std::to_string(i + 1) + ": void that each position would show [mm²]",
+                   {},
+                   plan.terminationThreshold,
+                   "F",
+                   plan.position};
+    for (const PositionScore& score : plan.scores) chart.values.push_back(promise(score));
+    html += "<figure>" + drawChart(chart) + "<figcaption>" + escapedHtml(chart.title) +
+            (plan.position >= 0 ? "; chosen: position " + std::to_string(plan.position) : "; nothing chosen") +
+            "; least overlap t = " + figure(plan.leastOverlap, 0) + " mm²</figcaption></figure>\n";
+  }
+  return html.empty() ? html : "<h2>Objective</h2>\n" + html;
+}
+
+std::string timesHtml(const AcquisitionState& state) {
+  std::string html = "<h2>Time of each phase [s]</h2>\n<table>";
+  std::vector<std::string> head{"View"};
+  for (const Phase& phase : kPhases) head.emplace_back(phase.title);
+  html += row(head, "th");
+  std::map<std::string, double> total;
+  for (std::size_t i = 0; i < state.records.size(); ++i) {
+    std::vector<std::string> cells{std::to_string(i + 1)};
+    for (const Phase& phase : kPhases) {
+      const auto it = state.records[i].seconds.find(phase.key);
+      const double seconds = it == state.records[i].seconds.end() ? 0.0 : it->second;
+      total[phase.key] += seconds;
+      cells.push_back(figure(seconds, 2));
+    }
+    html += row(cells);
+  }
+  std::vector<std::string> sums{"All"};
+  for (const Phase& phase : kPhases) sums.push_back(figure(total[phase.key], 2));
+  return html + row(sums, "th") + "</table>\n";
+}
+
+std::string remainingHtml(const AcquisitionState& state) {
+  if (state.records.empty() || !state.records.back().plan) return {};
+  const Plan& plan = *state.records.back().plan;
+  std::array<std::size_t, kEdgeReasons> edges{};
+  std::array<double, kEdgeReasons> lengths{};
+  for (std::size_t p = 0; p < plan.outlook.size(); ++p) {
+    const auto reason = static_cast<std::size_t>(plan.outlook[p].reason);
+    ++edges[reason];
+    lengths[reason] += plan.voids->patches[p].width;
+  }
+  std::string html = "<h2>What is left, and why</h2>\n<table>" + row({"Reason", "Edges", "Length [mm]"}, "th");
+  for (int reason = 0; reason < kEdgeReasons; ++reason)
+    if (edges[reason] > 0)
+      html += row({std::string(sentence(static_cast<EdgeReason>(reason), plan.outcome)), std::to_string(edges[reason]),
+                   figure(lengths[reason], 0)});
+  return html + "</table>\n";
+}
+
+}  // namespace
+
+std::string makeHtmlReport(const AcquisitionState& state, const HtmlReportOptions& options) {
+  if (!options.viewPictures.empty() && options.viewPictures.size() != state.views.size())
+    throw InvalidInput("the report was given " + std::to_string(options.viewPictures.size()) +
+                       " pictures of views, expected " + std::to_string(state.views.size()));
+  std::string html =
+      "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" "
+      "content=\"width=device-width\"><title>Vantage report</title>\n";
+  html.append(kStyle).append("</head><body>\n<h1>Acquisition report</h1>\n");
+  html += summaryHtml(state) + picturesHtml(options.pictures) + coverageHtml(state) + viewsHtml(state);
+  html += picturesHtml(options.viewPictures) + objectiveHtml(state) + timesHtml(state) + remainingHtml(state);
+  return html + "<p class=\"faint\">Vantage " + escapedHtml(options.version) + ", seed " +
+         std::to_string(state.settings.seed) + "</p>\n</body></html>\n";
+}
+
+}  // namespace vantage

@@ -1,0 +1,160 @@
+#include "report/report.h"
+
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "geometry/measures.h"
+
+namespace vantage {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// JSON has no infinity: what nothing holds is null.
+Json finite(double value) {
+  return std::isfinite(value) ? Json(value) : Json(nullptr);
+}
+
+// The phases of Table 2, 0 where one did not run.
+Json secondsJson(const PhaseTimes& seconds) {
+  Json json;
+  for (const char* phase :
+       {"scan", "register", "integrate", "void_patches", "project_void", "project_seen", "choose"}) {
+    const auto it = seconds.find(phase);
+    json[phase] = it == seconds.end() ? 0.0 : it->second;
+  }
+  return json;
+}
+
+Json predictedJson(const PositionScore& score) {
+  return {{"void_mm2", score.tracedVoidArea.value_or(score.voidArea)},
+          {"overlap_mm2", score.overlapArea},
+          {"worst_direction", score.weakDirection},
+          {"pose_sigma_mm", score.poseSigma ? finite(*score.poseSigma) : Json(nullptr)}};
+}
+
+Json objectiveJson(const Plan& plan) {
+  Json list = Json::array();
+  for (const PositionScore& s : plan.scores)
+    list.push_back({{"position", s.position}, {"void_mm2", s.voidArea}, {"overlap_mm2", s.overlapArea}});
+  return list;
+}
+
+Json viewJson(const AcquisitionState& state, std::size_t index) {
+  const ViewRecord& record = state.records[index];
+  Json json{{"index", index},
+            {"position", record.position},
+            {"samples", record.samples},
+            {"triangles", record.triangles},
+            {"predicted", record.predicted ? predictedJson(*record.predicted) : Json(nullptr)},
+            {"achieved", {{"new_area_mm2", record.newArea}, {"overlap_mm2", record.overlapArea}}},
+            {"registration", registrationJson(record.registration)}};
+  if (record.plan) {
+    json["objective"] = objectiveJson(*record.plan);
+    json["void_patches"] = voidJson(*record.plan);
+    json["plan"] = {{"least_overlap_mm2", record.plan->leastOverlap},
+                    {"termination_threshold_mm2", record.plan->terminationThreshold},
+                    {"relaxations", record.plan->relaxations},
+                    {"angular_error_deg", degrees(record.plan->angularError)}};
+  }
+  json["seconds"] = secondsJson(record.seconds);
+  return json;
+}
+
+}  // namespace
+
+nlohmann::ordered_json registrationJson(const RegistrationResult& registration) {
+  return {{"verdict", name(registration.verdict)},
+          {"reason", registration.reason},
+          {"rms_mm", registration.rms},
+          {"inliers", registration.inlierShare},
+          {"iterations", registration.iterations},
+          {"pairs", registration.pairs},
+          {"worst_direction", registration.stability.weakName},
+          {"pose_sigma_mm", finite(registration.poseSigma)}};
+}
+
+nlohmann::ordered_json voidCountsJson(const VoidSurface& voids) {
+  constexpr std::array<const char*, kEdgeClasses> kNames{"outer_jump", "inner_jump", "line_of_sight_jump", "regular",
+                                                         "rim"};
+  Json json;
+  for (std::size_t i = 0; i < kNames.size(); ++i) json[kNames[i]] = voids.counts[i];
+  return json;
+}
+
+nlohmann::ordered_json voidJson(const Plan& plan) {
+  Json json = voidCountsJson(*plan.voids);
+  json["answered"] =
+      std::count_if(plan.outlook.begin(), plan.outlook.end(), [](const PatchOutlook& o) { return o.answered; });
+  return json;
+}
+
+nlohmann::ordered_json remainingJson(const Plan& plan) {
+  std::array<std::size_t, kEdgeReasons> edges{};
+  std::array<double, kEdgeReasons> lengths{};
+  for (std::size_t p = 0; p < plan.outlook.size(); ++p) {
+    const auto reason = static_cast<std::size_t>(plan.outlook[p].reason);
+    ++edges[reason];
+    lengths[reason] += plan.voids->patches[p].width;
+  }
+  Json list = Json::array();
+  for (std::size_t reason = 0; reason < edges.size(); ++reason) {
+    if (edges[reason] == 0) continue;
+    list.push_back(
+        {{"reason", name(static_cast<EdgeReason>(reason))}, {"edges", edges[reason]}, {"length_mm", lengths[reason]}});
+  }
+  return list;
+}
+
+nlohmann::ordered_json scoreJson(const PositionScore& score) {
+  Json json{{"position", score.position}, {"void_mm2", score.voidArea}, {"overlap_mm2", score.overlapArea}};
+  if (score.tracedVoidArea) json["traced_void_mm2"] = *score.tracedVoidArea;
+  if (score.poseSigma) json["pose_sigma_mm"] = finite(*score.poseSigma);
+  if (!score.weakDirection.empty()) json["worst_direction"] = score.weakDirection;
+  json["constraint"] = name(score.constraint);
+  json["short_by"] = score.shortBy;
+  json["patches"] = score.patches.size();
+  return json;
+}
+
+nlohmann::ordered_json modelJson(const Mesh& mesh) {
+  const MeshMeasures m = measure(mesh);
+  return {{"vertices", m.vertices},
+          {"triangles", m.triangles},
+          {"boundary_edges", m.boundaryEdges},
+          {"non_manifold_edges", m.nonManifoldEdges},
+          {"area_mm2", m.area}};
+}
+
+double peakMemory() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<double>(usage.ru_maxrss) / 1024.0;
+}
+
+nlohmann::ordered_json makeReport(const AcquisitionState& state, const std::string& version) {
+  const AcquisitionSettings& settings = state.settings;
+  Json report{{"version", version},
+              {"object", settings.object},
+              {"placement", name(settings.placement)},
+              {"profile", state.profile ? state.profile->name : ""},
+              {"seed", settings.seed},
+              {"strategy", name(settings.strategy)},
+              {"views", Json::array()}};
+  for (std::size_t i = 0; i < state.records.size(); ++i) report["views"].push_back(viewJson(state, i));
+  report["rejected"] = Json::array();
+  for (const RejectedScan& scan : state.rejected)
+    report["rejected"].push_back(
+        {{"position", scan.image->position}, {"registration", registrationJson(scan.registration)}});
+  report["terminated_by"] = name(state.termination);
+  const bool planned = !state.records.empty() && state.records.back().plan;
+  report["remaining"] = planned ? remainingJson(*state.records.back().plan) : Json::array();
+  report["model"] = modelJson(state.model ? state.model->mesh : Mesh{});
+  report["peak_memory_mb"] = peakMemory();
+  return report;
+}
+
+}  // namespace vantage

@@ -1,0 +1,314 @@
+#include "session/session.h"
+
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <future>
+#include <map>
+#include <mutex>
+#include <system_error>
+#include <utility>
+
+#include "base/errors.h"
+#include "io/placement.h"
+#include "session/model_writer.h"
+#include "session/session_blobs.h"
+#include "session/session_json.h"
+#include "session/session_lock.h"
+#include "session/session_opening.h"
+#include "session/session_rescue.h"
+#include "session/session_schema.h"
+#include "session/session_states.h"
+#include "session/session_store.h"
+#include "session/state_hash.h"
+
+namespace vantage {
+namespace {
+
+// Which file a name stands for.
+std::pair<std::uint64_t, std::uint64_t> fileBehind(const std::string& path) {
+  struct stat status {};
+  if (stat(path.c_str(), &status) != 0) return {0, 0};
+  return {static_cast<std::uint64_t>(status.st_dev), static_cast<std::uint64_t>(status.st_ino)};
+}
+
+// A transaction around one change of a session.
+template <typename Change>
+void transact(SessionStore& store, const Change& change) {
+  Database::Transaction transaction(store.database());
+  change();
+  transaction.commit();
+}
+
+}  // namespace
+
+struct Session::Parts {
+  Parts(const std::string& name, SessionAccess sessionAccess, std::optional<SessionLock> sessionLock, Database database)
+      : path(name),
+        access(sessionAccess),
+        lock(std::move(sessionLock)),
+        store(std::move(database)),
+        states(store, losses),
+        history([this](const HistoryEntry& entry) { return stateOf(entry); }),
+        file(fileBehind(name)),
+        models(store, mutex) {}
+
+  [[nodiscard]] std::shared_ptr<const AcquisitionState> stateOf(const HistoryEntry& entry) {
+    const std::lock_guard guard(mutex);
+    return std::make_shared<const AcquisitionState>(states.state(history, entry));
+  }
+
+  // Without a profile the one in the file is read.
+  void restore(std::shared_ptr<const ScannerProfile> profile = nullptr) {
+    if (!profile) profile = SessionStates::parsed(store.profileSource());
+    states.setProfile(std::move(profile));
+    StoredHistory stored = store.history();
+    losses.insert(losses.end(), stored.losses.begin(), stored.losses.end());
+    states.dropImpossible(stored);
+    if (stored.entries.empty())
+      throw InvalidInput(path + ": no step of the session is readable; its scans may still be in the table scan");
+    history.restore(std::move(stored.entries), stored.cursor);
+  }
+
+  void mustBeWritable() const {
+    if (access == SessionAccess::Read) throw InvalidInput(path + ": is open for reading only");
+  }
+
+  // Who removes or replaces the file of an open session would lose everything from then on, without a word.
+  void mustBeInPlace() {
+    if (fileBehind(path) == file) return;
+    if (refuge.empty()) {
+      const std::string copy = freeName(path, ".rescued");
+      store.database().copyTo(copy);
+      refuge = copy;
+    }
+    throw IoError(path, "was removed or replaced while it was open; the whole session was written to " + refuge);
+  }
+
+  void add(const Command& command, AcquisitionState state) {
+    auto shared = std::make_shared<const AcquisitionState>(std::move(state));
+    auto hash = std::async(std::launch::async, [&shared] { return stateHash(*shared); });
+    HistoryEntry entry{store.nextStep(), command, nullptr, 0};
+    const bool first = history.size() == 0;
+    const StateOutline none;
+    const StateOutline& before = first ? none : *history.current().outline;
+    entry.outline = std::make_shared<const StateOutline>(states.outline(*shared, before, entry.step));
+    std::optional<PackedPlan> newPlan;
+    if (!shared->views.empty() && entry.outline->views.back().planStep == entry.step) {
+      const Plan& plan = *shared->records.back().plan;
+      newPlan = PackedPlan{planText(plan), planBlob(plan)};
+    }
+    entry.hash = hash.get();
+    transact(store, [&] { store.addStep(entry, first ? 0 : history.current().step, newPlan); });
+    states.remember(*entry.outline, *shared);
+    const std::int64_t newModel = entry.outline->modelStep == entry.step ? entry.step : 0;
+    history.add(std::move(entry), shared);
+    if (newModel != 0) models.write(newModel, shared->model);
+  }
+
+  void move(void (History::*there)(), void (History::*back)(), const char* what) {
+    const std::lock_guard guard(mutex);
+    mustBeWritable();
+    (history.*there)();
+    try {
+      transact(store, [&] { store.moveCursor(history.current().step, what); });
+    } catch (...) {
+      (history.*back)();
+      throw;
+    }
+  }
+
+  std::string path;
+  SessionAccess access;
+  std::optional<SessionLock> lock;
+  std::vector<std::string> losses;
+  SessionStore store;
+  SessionStates states;
+  History history;
+  std::pair<std::uint64_t, std::uint64_t> file;
+  std::string refuge;
+  std::recursive_mutex mutex;
+  ModelWriter models;  // last: it ends before the rest of the session does
+};
+
+Session::Session(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
+Session::Session(Session&& other) noexcept = default;
+Session& Session::operator=(Session&& other) noexcept = default;
+Session::~Session() = default;
+
+namespace {
+
+// Writes a new session under another name.
+void writeNew(const std::string& path, const SessionStart& start) {
+  Session::Parts parts(path, SessionAccess::Write, std::nullopt, Database(path, Database::Mode::Create));
+  SessionStore& store = parts.store;
+  transact(store, [&] {
+    createSessionTables(store.database());
+    if (start.profile) store.setProfileSource(*start.profile);
+    if (start.object != nullptr) store.setObject(*start.object);
+  });
+  AcquisitionState state;
+  state.settings = start.settings;
+  parts.add(ChangeSettings{start.settings}, std::move(state));
+}
+
+}  // namespace
+
+// A session appears whole or not at all, and what was there before stays until then.
+Session Session::create(const std::string& path, const SessionStart& start) {
+  SessionLock lock(path);
+  auto profile = start.scanner ? start.scanner : SessionStates::parsed(start.profile);
+  const std::string unfinished = path + ".new";
+  writeNew(unfinished, start);
+  std::error_code error;
+  for (const char* suffix : {"-wal", "-shm"}) std::filesystem::remove(path + suffix, error);
+  std::filesystem::rename(unfinished, path, error);
+  if (error) throw IoError(path, "cannot be written: " + error.message());
+  auto parts =
+      std::make_unique<Parts>(path, SessionAccess::Write, std::move(lock), Database(path, Database::Mode::Write));
+  parts->restore(std::move(profile));
+  return Session(std::move(parts));
+}
+
+Session Session::open(const std::string& path, SessionAccess access, const Progress& progress) {
+  if (!std::filesystem::is_regular_file(path)) throw IoError(path, "is no session: there is no such file");
+  std::vector<std::string> losses;
+  std::unique_ptr<Parts> parts;
+  if (access == SessionAccess::Read) {
+    parts = std::make_unique<Parts>(path, access, std::nullopt, openSessionForReading(path, losses));
+  } else {
+    SessionLock lock(path);
+    Database database = openSessionForWriting(path, losses);
+    parts = std::make_unique<Parts>(path, access, std::move(lock), std::move(database));
+  }
+  progress.checkpoint(0.5);
+  parts->losses = std::move(losses);
+  parts->restore();
+  progress.checkpoint(1.0);
+  return Session(std::move(parts));
+}
+
+const std::string& Session::path() const {
+  return parts_->path;
+}
+
+std::vector<std::string> Session::losses() const {
+  const std::lock_guard guard(parts_->mutex);
+  return parts_->losses;
+}
+
+const History& Session::history() const {
+  return parts_->history;
+}
+
+std::shared_ptr<const AcquisitionState> Session::state() const {
+  return state(parts_->history.cursor());
+}
+
+std::shared_ptr<const AcquisitionState> Session::state(std::size_t index) const {
+  const std::lock_guard guard(parts_->mutex);
+  return parts_->history.state(index);
+}
+
+std::shared_ptr<const Model> Session::model(std::size_t index) const {
+  const std::lock_guard guard(parts_->mutex);
+  const HistoryEntry& entry = parts_->history.entry(index);
+  if (entry.outline->modelStep == 0) return nullptr;
+  if (auto model = parts_->states.model(entry.outline->modelStep, entry.outline->views.size())) return model;
+  return parts_->history.state(index)->model;
+}
+
+std::shared_ptr<const Plan> Session::plan(std::size_t index) const {
+  const std::lock_guard guard(parts_->mutex);
+  const StateOutline& outline = *parts_->history.entry(index).outline;
+  return outline.views.empty() ? nullptr : parts_->states.plan(outline.views.back().planStep);
+}
+
+std::int64_t Session::scanCount() const {
+  const std::lock_guard guard(parts_->mutex);
+  return parts_->store.scanCount();
+}
+
+std::shared_ptr<const RangeImage> Session::scan(std::int64_t number) const {
+  const std::lock_guard guard(parts_->mutex);
+  return parts_->states.scan(number);
+}
+
+std::shared_ptr<const ScannerProfile> Session::profile() const {
+  return parts_->states.profile();
+}
+
+Mesh Session::object(const Progress& progress) const {
+  std::unique_lock guard(parts_->mutex);
+  auto stored = parts_->store.object();
+  const AcquisitionSettings settings = parts_->history.current().outline->settings;
+  guard.unlock();
+  if (!stored) throw InvalidInput(path() + ": has no object that a simulated scanner could look at");
+  if (stored->mesh) return std::move(*stored->mesh);
+  Mesh object = loadPlacedMesh(settings.object, settings.placement, profile()->viewingVolume, progress).mesh;
+  if (hashText(contentHash(object)) != stored->hash)
+    throw InvalidInput(settings.object + ": has changed since " + path() + " was begun, which needs it as it was");
+  return object;
+}
+
+NumberedScan Session::keepScan(RangeImage image) {
+  validate(image);
+  const std::lock_guard guard(parts_->mutex);
+  parts_->mustBeWritable();
+  const auto shared = std::make_shared<const RangeImage>(std::move(image));
+  StoredScan scan;
+  transact(parts_->store, [&] { scan = parts_->states.keep(*shared); });
+  parts_->states.remember(scan, shared);
+  parts_->mustBeInPlace();
+  return {scan.number, shared};
+}
+
+std::optional<NumberedScan> Session::unusedScan() const {
+  const std::lock_guard guard(parts_->mutex);
+  const std::int64_t last = parts_->store.scanCount() - 1;
+  if (last < 0 || parts_->store.scanUsed(last)) return std::nullopt;
+  try {
+    return NumberedScan{last, parts_->states.scan(last)};
+  } catch (const InvalidInput&) {
+    return std::nullopt;
+  }
+}
+
+void Session::record(const Command& command, AcquisitionState state) {
+  const std::lock_guard guard(parts_->mutex);
+  parts_->mustBeWritable();
+  parts_->add(command, std::move(state));
+  parts_->mustBeInPlace();
+}
+
+void Session::undo() {
+  parts_->move(&History::undo, &History::redo, "undo");
+}
+
+void Session::redo() {
+  parts_->move(&History::redo, &History::undo, "redo");
+}
+
+std::string Session::note(const std::string& key) const {
+  const std::lock_guard guard(parts_->mutex);
+  return parts_->store.meta("note:" + key);
+}
+
+void Session::setNote(const std::string& key, const std::string& text) {
+  const std::lock_guard guard(parts_->mutex);
+  parts_->mustBeWritable();
+  transact(parts_->store, [&] { parts_->store.setMeta("note:" + key, text); });
+}
+
+void Session::settle() const {
+  parts_->models.settle();
+}
+
+void Session::copyTo(const std::string& path) const {
+  settle();
+  const std::lock_guard guard(parts_->mutex);
+  parts_->store.database().copyTo(path);
+}
+
+}  // namespace vantage

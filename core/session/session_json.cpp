@@ -1,0 +1,294 @@
+#include "session/session_json.h"
+
+#include <utility>
+
+#include "session/json_fields.h"
+
+namespace vantage {
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr Termination kLastTermination = Termination::Cancelled;
+
+template <typename Values>
+Json numberList(const Values& values, std::size_t count) {
+  Json list = Json::array();
+  for (std::size_t i = 0; i < count; ++i) list.push_back(jsonNumber(values[i]));
+  return list;
+}
+
+Json poseJson(const Pose& pose) {
+  Json list = Json::array();
+  for (Eigen::Index r = 0; r < 3; ++r)
+    for (Eigen::Index c = 0; c < 4; ++c) list.push_back(pose.matrix()(r, c));
+  return list;
+}
+
+Pose poseFrom(const JsonFields& fields, const char* key) {
+  double values[12];
+  fields.numbers(key, values, 12);
+  Pose pose = Pose::Identity();
+  for (Eigen::Index i = 0; i < 12; ++i) pose.matrix()(i / 4, i % 4) = values[i];
+  if (!pose.matrix().allFinite()) fields.fail(key);
+  return pose;
+}
+
+Json scoreJson(const PositionScore& s) {
+  Json json{{"position", s.position},
+            {"void_mm2", jsonNumber(s.voidArea)},
+            {"overlap_mm2", jsonNumber(s.overlapArea)},
+            {"worst_direction", s.weakDirection},
+            {"constraint", name(s.constraint)},
+            {"short_by", jsonNumber(s.shortBy)}};
+  if (s.tracedVoidArea) json["traced_void_mm2"] = jsonNumber(*s.tracedVoidArea);
+  if (s.poseSigma) json["pose_sigma_mm"] = jsonNumber(*s.poseSigma);
+  return json;
+}
+
+PositionScore scoreFrom(const JsonFields& fields) {
+  PositionScore s;
+  s.position = fields.integer("position");
+  s.voidArea = fields.number("void_mm2");
+  s.overlapArea = fields.number("overlap_mm2");
+  if (fields.has("traced_void_mm2")) s.tracedVoidArea = fields.number("traced_void_mm2");
+  if (fields.has("pose_sigma_mm")) s.poseSigma = fields.number("pose_sigma_mm");
+  s.weakDirection = fields.text("worst_direction");
+  s.constraint = fields.named("constraint", Constraint::PoseUncertain);
+  s.shortBy = fields.number("short_by");
+  return s;
+}
+
+// With the patches that the position would see.
+Json predictionJson(const PositionScore& score) {
+  Json json = scoreJson(score);
+  json["patches"] = score.patches;
+  return json;
+}
+
+PositionScore predictionFrom(const JsonFields& fields) {
+  PositionScore score = scoreFrom(fields);
+  for (const Json& patch : fields.list("patches")) {
+    if (!patch.is_number_unsigned()) fields.fail("patches");
+    score.patches.push_back(patch.get<std::uint32_t>());
+  }
+  return score;
+}
+
+Json stabilityJson(const Stability& s) {
+  return {{"centre", numberList(s.centre, 3)},
+          {"radius_mm", jsonNumber(s.radius)},
+          {"information", numberList(s.information.reshaped(), 36)},
+          {"eigenvalues", numberList(s.eigenvalues, 6)},
+          {"weak_direction", numberList(s.weakDirection, 6)},
+          {"weak_name", s.weakName},
+          {"pose_sigma_mm", jsonNumber(s.poseSigma)}};
+}
+
+Stability stabilityFrom(const JsonFields& fields) {
+  Stability s;
+  fields.numbers("centre", s.centre.data(), 3);
+  s.radius = fields.number("radius_mm");
+  fields.numbers("information", s.information.data(), 36);
+  fields.numbers("eigenvalues", s.eigenvalues.data(), 6);
+  fields.numbers("weak_direction", s.weakDirection.data(), 6);
+  s.weakName = fields.text("weak_name");
+  s.poseSigma = fields.number("pose_sigma_mm");
+  return s;
+}
+
+Json registrationJson(const RegistrationResult& r) {
+  return {{"pose", poseJson(r.T_object_scanner)},
+          {"verdict", name(r.verdict)},
+          {"reason", r.reason},
+          {"rms_mm", jsonNumber(r.rms)},
+          {"inliers", jsonNumber(r.inlierShare)},
+          {"conflicts", jsonNumber(r.conflictShare)},
+          {"pairs", r.pairs},
+          {"iterations", r.iterations},
+          {"pose_sigma_mm", jsonNumber(r.poseSigma)},
+          {"stability", stabilityJson(r.stability)}};
+}
+
+RegistrationResult registrationFrom(const JsonFields& fields) {
+  RegistrationResult r;
+  r.T_object_scanner = poseFrom(fields, "pose");
+  r.verdict = fields.named("verdict", Verdict::Failed);
+  r.reason = fields.text("reason");
+  r.rms = fields.number("rms_mm");
+  r.inlierShare = fields.number("inliers");
+  r.conflictShare = fields.number("conflicts");
+  r.pairs = fields.count("pairs");
+  r.iterations = fields.integer("iterations");
+  r.poseSigma = fields.number("pose_sigma_mm");
+  r.stability = stabilityFrom(fields.object("stability"));
+  return r;
+}
+
+Json settingsJson(const AcquisitionSettings& s) {
+  return {{"object", s.object},       {"placement", name(s.placement)}, {"seed", s.seed},
+          {"ideal", s.ideal},         {"first_view", s.firstView},      {"max_views", s.maxViews},
+          {"tolerance", s.tolerance}, {"strategy", name(s.strategy)}};
+}
+
+AcquisitionSettings settingsFrom(const JsonFields& fields, const Json& json) {
+  AcquisitionSettings s;
+  s.object = fields.text("object");
+  s.placement = parsePlacement(fields.text("placement"));
+  if (!fields.has("seed") || !json["seed"].is_number_unsigned()) fields.fail("seed");
+  s.seed = json["seed"].get<std::uint64_t>();
+  s.ideal = fields.flag("ideal");
+  s.firstView = static_cast<int>(fields.integer("first_view", 0, 1'000'000));
+  s.maxViews = static_cast<int>(fields.integer("max_views", 1, 1'000'000));
+  s.tolerance = fields.number("tolerance");
+  s.strategy = parseStrategy(fields.text("strategy"));
+  return s;
+}
+
+Json json(const ChangeSettings& c) {
+  return settingsJson(c.settings);
+}
+Json json(const AddScan& c) {
+  Json json{{"scan", c.scan}};
+  if (c.predicted) json["predicted"] = predictionJson(*c.predicted);
+  return json;
+}
+Json json(const ImportScans& c) {
+  return {{"scans", c.scans}};
+}
+Json json(const ChoosePosition& c) {
+  return {{"position", c.position}};
+}
+Json json(const LeaveOutView& c) {
+  return {{"scan", c.scan}};
+}
+Json json(const TakeBackView& c) {
+  return {{"scan", c.scan}};
+}
+Json json(const Finish& c) {
+  return {{"termination", name(c.termination)}};
+}
+Json json(const TakeOver& /*c*/) {
+  return Json::object();
+}
+
+std::int64_t scanOf(const JsonFields& fields) {
+  return fields.integer("scan", 0, std::numeric_limits<std::int64_t>::max());
+}
+
+AddScan addScanFrom(const JsonFields& fields) {
+  AddScan command{scanOf(fields), {}};
+  if (fields.has("predicted")) command.predicted = predictionFrom(fields.object("predicted"));
+  return command;
+}
+
+ImportScans importScansFrom(const JsonFields& fields) {
+  ImportScans command;
+  for (const Json& scan : fields.list("scans")) {
+    if (!scan.is_number_unsigned()) fields.fail("scans");
+    command.scans.push_back(scan.get<std::int64_t>());
+  }
+  return command;
+}
+
+}  // namespace
+
+std::string settingsText(const AcquisitionSettings& settings) {
+  return settingsJson(settings).dump();
+}
+
+AcquisitionSettings settingsFromText(const std::string& text, const std::string& what) {
+  const Json json = jsonObject(text, what);
+  return settingsFrom({json, what}, json);
+}
+
+std::string commandText(const Command& command) {
+  return std::visit([](const auto& c) { return json(c).dump(-1, ' ', false, Json::error_handler_t::replace); },
+                    command);
+}
+
+Command commandFromText(std::string_view kind, const std::string& text, const std::string& what) {
+  const Json json = jsonObject(text, what);
+  const JsonFields fields(json, what);
+  if (kind == "change_settings") return ChangeSettings{settingsFrom(fields, json)};
+  if (kind == "add_scan") return addScanFrom(fields);
+  if (kind == "import_scans") return importScansFrom(fields);
+  if (kind == "choose_position") return ChoosePosition{fields.integer("position")};
+  if (kind == "leave_out") return LeaveOutView{scanOf(fields)};
+  if (kind == "take_back") return TakeBackView{scanOf(fields)};
+  if (kind == "finish") return Finish{fields.named("termination", kLastTermination)};
+  if (kind == "take_over") return TakeOver{};
+  throw InvalidInput(what + " is damaged: its kind of command is not known");
+}
+
+std::string recordText(const ViewRecord& r) {
+  Json json{{"scan", r.scan},
+            {"position", r.position},
+            {"samples", r.samples},
+            {"triangles", r.triangles},
+            {"registration", registrationJson(r.registration)},
+            {"new_area_mm2", jsonNumber(r.newArea)},
+            {"overlap_mm2", jsonNumber(r.overlapArea)},
+            {"seconds", r.seconds}};
+  if (r.predicted) json["predicted"] = predictionJson(*r.predicted);
+  return json.dump();
+}
+
+ViewRecord recordFromText(const std::string& text, const std::string& what) {
+  const Json json = jsonObject(text, what);
+  const JsonFields fields(json, what);
+  ViewRecord r;
+  r.scan = scanOf(fields);
+  r.position = fields.integer("position");
+  r.samples = fields.count("samples");
+  r.triangles = fields.count("triangles");
+  r.registration = registrationFrom(fields.object("registration"));
+  r.newArea = fields.number("new_area_mm2");
+  r.overlapArea = fields.number("overlap_mm2");
+  if (fields.has("predicted")) r.predicted = predictionFrom(fields.object("predicted"));
+  if (!fields.has("seconds") || !json["seconds"].is_object()) fields.fail("seconds");
+  for (const auto& [phase, seconds] : json["seconds"].items())
+    if (seconds.is_number()) r.seconds[phase] = seconds.get<double>();
+  return r;
+}
+
+std::string planText(const Plan& plan) {
+  Json json{{"outcome", name(plan.outcome)},
+            {"position", plan.position},
+            {"least_overlap_mm2", jsonNumber(plan.leastOverlap)},
+            {"termination_threshold_mm2", jsonNumber(plan.terminationThreshold)},
+            {"void_left_mm2", jsonNumber(plan.voidLeft)},
+            {"relaxations", plan.relaxations},
+            {"angular_error_rad", jsonNumber(plan.angularError)},
+            {"scores", Json::array()}};
+  for (const PositionScore& score : plan.scores) json["scores"].push_back(scoreJson(score));
+  return json.dump();
+}
+
+Plan planFromText(const std::string& text, const std::string& what) {
+  const Json json = jsonObject(text, what);
+  const JsonFields fields(json, what);
+  Plan plan;
+  plan.outcome = fields.named("outcome", PlanOutcome::NoOverlap);
+  plan.leastOverlap = fields.number("least_overlap_mm2");
+  plan.terminationThreshold = fields.number("termination_threshold_mm2");
+  plan.voidLeft = fields.number("void_left_mm2");
+  plan.relaxations = fields.integer("relaxations");
+  plan.angularError = fields.number("angular_error_rad");
+  for (const Json& score : fields.list("scores")) {
+    plan.scores.push_back(scoreFrom({score, what}));
+    if (plan.scores.back().position != static_cast<int>(plan.scores.size()) - 1) fields.fail("scores");
+  }
+  const auto positions = static_cast<std::int64_t>(plan.scores.size());
+  const bool found = plan.outcome == PlanOutcome::Found;
+  plan.position = static_cast<int>(fields.integer("position", found ? 0 : -1, found ? positions - 1 : positions));
+  return plan;
+}
+
+Termination terminationFromName(std::string_view text, const std::string& what) {
+  for (int i = 0; i <= static_cast<int>(kLastTermination); ++i)
+    if (name(static_cast<Termination>(i)) == text) return static_cast<Termination>(i);
+  throw InvalidInput(what + " is damaged: its termination is not known");
+}
+
+}  // namespace vantage

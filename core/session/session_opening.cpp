@@ -1,0 +1,95 @@
+#include "session/session_opening.h"
+
+#include <filesystem>
+
+#include "base/errors.h"
+#include "session/session_rescue.h"
+#include "session/session_schema.h"
+#include "session/session_store.h"
+
+namespace vantage {
+namespace {
+
+// The settings of a file by which a copy of its damages is known, so that it is not copied again every time.
+constexpr const char* kCopy = "damaged_copy";
+constexpr const char* kDamages = "damages";
+
+// What of a sound database cannot be read.
+std::vector<std::string> damagedScans(SessionStore& store) {
+  std::vector<std::string> losses = store.history().losses;
+  for (const std::int64_t number : store.scanNumbers()) {
+    try {
+      static_cast<void>(store.scan(number));
+    } catch (const InvalidInput& e) {
+      losses.emplace_back(e.what());
+    }
+  }
+  return losses;
+}
+
+bool copiedBefore(SessionStore& store, std::size_t damages) {
+  const std::string copy = store.meta(kCopy);
+  return !copy.empty() && std::filesystem::exists(copy) && store.meta(kDamages) == std::to_string(damages);
+}
+
+// What a session needs before it is written to.
+struct Preparation {
+  std::string copy;  ///< of a damaged session, made beside it; empty when it is sound
+  std::size_t damages = 0;
+};
+
+// Looks at a session before anything is written to it. One that is damaged is copied beside itself first.
+Preparation prepareForWriting(const std::string& path, std::vector<std::string>& losses) {
+  Preparation preparation;
+  bool sound = true;
+  {
+    Database database(path, Database::Mode::Read);
+    const int version = checkSessionTables(database);
+    sound = database.sound();
+    SessionStore store(std::move(database));
+    if (sound && version != kSessionSchema) return {};
+    if (sound) preparation.damages = damagedScans(store).size();
+    if (sound && (preparation.damages == 0 || copiedBefore(store, preparation.damages))) return {};
+  }
+  preparation.copy = copyBeside(path);
+  losses.push_back(path + ": is damaged; before anything was written to it, it was copied to " + preparation.copy);
+  if (sound) return preparation;
+  const std::vector<std::string> lost = rescueInPlace(path);
+  losses.insert(losses.end(), lost.begin(), lost.end());
+  return preparation;
+}
+
+void rememberCopy(SessionStore& store, const Preparation& preparation) {
+  Database::Transaction transaction(store.database());
+  store.setMeta(kCopy, preparation.copy);
+  store.setMeta(kDamages, std::to_string(preparation.damages));
+  transaction.commit();
+}
+
+}  // namespace
+
+Database openSessionForReading(const std::string& path, std::vector<std::string>& losses) {
+  Database database(path, Database::Mode::Read);
+  const int version = checkSessionTables(database);
+  if (!database.sound()) {
+    Database copy = Database::inMemory(path);
+    losses = rescueRows(database, copy);
+    return copy;
+  }
+  if (version == kSessionSchema) return database;
+  Database copy = database.copyInMemory();
+  migrateSession(copy);
+  return copy;
+}
+
+Database openSessionForWriting(const std::string& path, std::vector<std::string>& losses) {
+  const Preparation preparation = prepareForWriting(path, losses);
+  Database database(path, Database::Mode::Write);
+  if (checkSessionTables(database) != kSessionSchema) migrateSession(database);
+  if (preparation.copy.empty()) return database;
+  SessionStore store(std::move(database));
+  rememberCopy(store, preparation);
+  return store.takeDatabase();
+}
+
+}  // namespace vantage

@@ -1,0 +1,87 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "acquisition/history.h"
+#include "session/session_store.h"
+
+namespace vantage {
+
+/// What a scan and its ray grid are called in the file; 0 is the profile's grid.
+struct StoredScan {
+  std::int64_t number = -1;
+  std::int64_t rays = 0;
+};
+
+/// Builds the states of a session from the pieces in its file. A piece that somebody holds is handed out again, so that
+/// states share what did not change; one that nobody holds is not in memory. What is damaged is left out and named.
+class SessionStates {
+ public:
+  /// Both must outlive it.
+  SessionStates(SessionStore& store, std::vector<std::string>& losses) : store_(store), losses_(losses) {}
+
+  /// Null without a source. @throws InvalidInput when it is no profile
+  [[nodiscard]] static std::shared_ptr<const ScannerProfile> parsed(const std::optional<ProfileSource>& source);
+
+  /// Of the session: to be set before anything is asked for.
+  void setProfile(std::shared_ptr<const ScannerProfile> profile) { profile_ = std::move(profile); }
+  [[nodiscard]] const std::shared_ptr<const ScannerProfile>& profile() const { return profile_; }
+
+  /// Takes steps out of a history that name positions which the profile does not have.
+  void dropImpossible(StoredHistory& history);
+
+  /// The state after an entry of the history. A model that is not there is made again from the steps before it.
+  [[nodiscard]] AcquisitionState state(const History& history, const HistoryEntry& entry);
+
+  /// @throws InvalidInput when there is none or it is damaged
+  [[nodiscard]] std::shared_ptr<const RangeImage> scan(std::int64_t number);
+  /// Null when it is not there, damaged or of more views.
+  [[nodiscard]] std::shared_ptr<const Model> model(std::int64_t step, std::size_t views);
+  [[nodiscard]] std::shared_ptr<const Plan> plan(std::int64_t step);
+
+  /// Writes a scan. @throws InvalidInput for one of no position
+  [[nodiscard]] StoredScan keep(const RangeImage& image);
+  /// A scan that was written for good.
+  void remember(const StoredScan& scan, const std::shared_ptr<const RangeImage>& image);
+
+  /// What a state that follows another consists of, and which of it is new.
+  [[nodiscard]] StateOutline outline(const AcquisitionState& state, const StateOutline& before, std::int64_t step);
+  /// The pieces of a state that was just written.
+  void remember(const StateOutline& outline, const AcquisitionState& state);
+
+ private:
+  /// Whether scans can be of a position; -1 is that of recorded ones.
+  [[nodiscard]] bool exists(int position) const;
+  [[nodiscard]] std::shared_ptr<const RayGrid> raysOf(std::int64_t id);
+  [[nodiscard]] bool fits(const Plan& plan) const;
+  [[nodiscard]] std::shared_ptr<const ViewMesh> meshOf(std::int64_t scan, const RangeImage& image,
+                                                       const TriangulationOptions& triangulation);
+  /// The view with its record; nothing when the scan is lost.
+  [[nodiscard]] std::optional<LeftOutView> viewOf(const OutlinedView& outlined,
+                                                  const TriangulationOptions& triangulation);
+  void addViews(AcquisitionState& state, const StateOutline& outline);
+  [[nodiscard]] OutlinedView outlined(const ViewRecord& record, const Pose& pose, const StateOutline& before,
+                                      std::int64_t step);
+  [[nodiscard]] std::shared_ptr<const Model> modelOf(const AcquisitionState& state, const History& history,
+                                                     const HistoryEntry& entry);
+  [[nodiscard]] std::shared_ptr<const Model> replayedModel(const AcquisitionState& state, const History& history,
+                                                           std::int64_t step);
+  void lose(const std::string& sentence);
+
+  SessionStore& store_;
+  std::vector<std::string>& losses_;
+  std::shared_ptr<const ScannerProfile> profile_;
+  std::map<std::int64_t, std::weak_ptr<const RangeImage>> scans_;
+  std::map<std::int64_t, std::weak_ptr<const ViewMesh>> meshes_;
+  std::map<std::int64_t, std::weak_ptr<const RayGrid>> rays_;
+  std::map<std::int64_t, std::weak_ptr<const Model>> models_;
+  std::map<std::int64_t, std::weak_ptr<const Plan>> plans_;
+};
+
+}  // namespace vantage

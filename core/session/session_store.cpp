@@ -1,0 +1,238 @@
+#include "session/session_store.h"
+
+#include <algorithm>
+#include <charconv>
+#include <utility>
+
+#include "base/errors.h"
+#include "session/session_blobs.h"
+#include "session/session_json.h"
+#include "session/state_hash.h"
+
+namespace vantage {
+namespace {
+
+// The profile's own text is stored under this name, the files that it names under theirs.
+constexpr const char* kProfileName = "profile.json";
+// An object that is larger than this when packed is only known by its file and its hash.
+constexpr std::size_t kMaxObjectBytes = 256U << 20;
+constexpr std::int64_t kMostScans = 100'000;
+// Models of old steps are thinned out beyond this: they can be made again.
+constexpr std::int64_t kModelBytes = 512LL << 20;
+
+}  // namespace
+
+std::string SessionStore::meta(const std::string& key) {
+  Statement row = database_.prepare("SELECT value FROM meta WHERE key = ?");
+  row.bind(1, std::string_view(key));
+  return row.step() ? row.text(0) : std::string();
+}
+
+void SessionStore::setMeta(const std::string& key, const std::string& value) {
+  database_.prepare("INSERT OR REPLACE INTO meta VALUES(?, ?)")
+      .bind(1, std::string_view(key))
+      .bind(2, std::string_view(value))
+      .run();
+}
+
+std::optional<ProfileSource> SessionStore::profileSource() {
+  ProfileSource source;
+  source.path = path() + ": " + kProfileName;
+  Statement rows = database_.prepare("SELECT name, content FROM file");
+  while (rows.step()) {
+    if (rows.text(0) == kProfileName) {
+      source.text = rows.text(1);
+    } else {
+      source.attachments[rows.text(0)] = rows.text(1);
+    }
+  }
+  if (source.text.empty()) return std::nullopt;
+  return source;
+}
+
+void SessionStore::setProfileSource(const ProfileSource& source) {
+  Statement insert = database_.prepare("INSERT INTO file VALUES(?, ?)");
+  insert.bind(1, std::string_view(kProfileName)).bind(2, std::string_view(source.text)).run();
+  for (const auto& [name, content] : source.attachments)
+    insert.bind(1, std::string_view(name)).bind(2, std::string_view(content)).run();
+}
+
+std::optional<SessionStore::StoredObject> SessionStore::object() {
+  Statement row = database_.prepare("SELECT hash, mesh FROM object WHERE id = 1");
+  if (!row.step()) return std::nullopt;
+  StoredObject object{std::nullopt, row.text(0)};
+  if (const auto blob = row.blob(1); !blob.empty()) object.mesh = meshFromBlob(blob, path() + ": object");
+  return object;
+}
+
+void SessionStore::setObject(const Mesh& mesh) {
+  const std::vector<std::byte> blob = meshBlob(mesh);
+  Statement insert = database_.prepare("INSERT OR REPLACE INTO object VALUES(1, ?, ?)");
+  insert.bind(1, std::string_view(hashText(contentHash(mesh))));
+  if (blob.size() <= kMaxObjectBytes) insert.bind(2, std::span<const std::byte>(blob));
+  insert.run();
+}
+
+std::int64_t SessionStore::scanCount() {
+  Statement row = database_.prepare("SELECT ifnull(max(id), -1) FROM scan");
+  row.step();
+  const std::int64_t last = row.integer(0);
+  if (last > kMostScans)
+    throw InvalidInput(path() + ": scan " + std::to_string(last) + " is damaged: there are never more than " +
+                       std::to_string(kMostScans));
+  return last + 1;
+}
+
+std::vector<std::int64_t> SessionStore::scanNumbers() {
+  std::vector<std::int64_t> numbers;
+  Statement rows = database_.prepare("SELECT id FROM scan ORDER BY id");
+  while (rows.step()) numbers.push_back(rows.integer(0));
+  return numbers;
+}
+
+bool SessionStore::scanUsed(std::int64_t number) {
+  Statement row = database_.prepare("SELECT 1 FROM view WHERE scan = ? LIMIT 1");
+  return row.bind(1, number).step();
+}
+
+std::pair<RangeImage, std::int64_t> SessionStore::scan(std::int64_t number) {
+  const std::string what = path() + ": scan " + std::to_string(number);
+  Statement row = database_.prepare("SELECT position, ifnull(rays, 0), nominal, range FROM scan WHERE id = ?");
+  if (!row.bind(1, number).step()) throw InvalidInput(what + " does not exist");
+  RangeImage image;
+  image.position = static_cast<int>(std::clamp<std::int64_t>(row.integer(0), -1, 1'000'000));
+  image.T_object_scanner = poseFromBlob(row.blob(2), what);
+  image.range = rangeFromBlob(row.blob(3), what);
+  return {std::move(image), row.integer(1)};
+}
+
+RayGrid SessionStore::rays(std::int64_t id) {
+  const std::string what = path() + ": rays " + std::to_string(id);
+  Statement row = database_.prepare("SELECT rows, columns, receivers, data FROM rays WHERE id = ?");
+  if (!row.bind(1, id).step()) throw InvalidInput(what + " do not exist");
+  constexpr std::int64_t kMost = 1'000'000;
+  const auto size = [&](int column) {
+    return static_cast<int>(std::clamp<std::int64_t>(row.integer(column), 0, kMost));
+  };
+  return raysFromBlob(size(0), size(1), size(2), row.blob(3), what);
+}
+
+std::int64_t SessionStore::addRays(const RayGrid& rays) {
+  Statement insert =
+      database_.prepare("INSERT INTO rays(rows, columns, receivers, data) VALUES(?, ?, ?, ?) RETURNING id");
+  insert.bind(1, std::int64_t{rays.rows()})
+      .bind(2, std::int64_t{rays.columns()})
+      .bind(3, static_cast<std::int64_t>(rays.receivers(0).size()))
+      .bind(4, std::span<const std::byte>(raysBlob(rays)))
+      .step();
+  return insert.integer(0);
+}
+
+std::int64_t SessionStore::addScan(const RangeImage& image, std::int64_t rays) {
+  const std::int64_t number = scanCount();
+  database_.prepare("INSERT INTO scan VALUES(?, ?, nullif(?, 0), ?, ?)")
+      .bind(1, number)
+      .bind(2, std::int64_t{image.position})
+      .bind(3, rays)
+      .bind(4, std::span<const std::byte>(poseBlob(image.T_object_scanner)))
+      .bind(5, std::span<const std::byte>(rangeBlob(image.range)))
+      .run();
+  return number;
+}
+
+std::shared_ptr<const Model> SessionStore::model(std::int64_t step) {
+  Statement row = database_.prepare("SELECT data FROM model WHERE step = ?");
+  if (!row.bind(1, step).step()) return nullptr;
+  return std::make_shared<const Model>(modelFromBlob(row.blob(0), path() + ": model " + std::to_string(step)));
+}
+
+std::shared_ptr<const Plan> SessionStore::plan(std::int64_t step) {
+  const std::string what = path() + ": plan " + std::to_string(step);
+  Statement row = database_.prepare("SELECT summary, data FROM plan WHERE step = ?");
+  if (!row.bind(1, step).step()) return nullptr;
+  auto plan = std::make_shared<Plan>(planFromText(row.text(0), what));
+  addFromPlanBlob(*plan, row.blob(1), what);
+  return plan;
+}
+
+std::int64_t SessionStore::nextStep() {
+  Statement row = database_.prepare("SELECT ifnull(max(id), 0) + 1 FROM step");
+  row.step();
+  return row.integer(0);
+}
+
+void SessionStore::addEvent(const std::string& what, std::int64_t step) {
+  database_.prepare("INSERT INTO event(what, step) VALUES(?, ?)").bind(1, std::string_view(what)).bind(2, step).run();
+}
+
+void SessionStore::addViews(const HistoryEntry& entry, const std::vector<OutlinedView>& views, const char* status) {
+  Statement insert =
+      database_.prepare("INSERT INTO view(step, place, scan, status, pose, record, plan) VALUES(?, ?, ?, ?, ?, ?, ?)");
+  Statement record = database_.prepare("INSERT INTO record(step, scan, data) VALUES(?, ?, ?)");
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    const OutlinedView& view = views[i];
+    insert.bind(1, entry.step)
+        .bind(2, static_cast<std::int64_t>(i))
+        .bind(3, view.scan)
+        .bind(4, std::string_view(status))
+        .bind(5, std::span<const std::byte>(poseBlob(view.T_object_scanner)))
+        .bind(6, view.recordStep)
+        .bind(7, view.planStep)
+        .run();
+    if (view.recordStep == entry.step)
+      record.bind(1, entry.step).bind(2, view.scan).bind(3, std::string_view(recordText(*view.record))).run();
+  }
+}
+
+void SessionStore::addStep(const HistoryEntry& entry, std::int64_t parent, const std::optional<PackedPlan>& newPlan) {
+  const StateOutline& outline = *entry.outline;
+  const std::size_t views = outline.views.size() + outline.rejected.size() + outline.leftOut.size();
+  database_.prepare("INSERT INTO step VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?, ?)")
+      .bind(1, entry.step)
+      .bind(2, parent)
+      .bind(3, kindOf(entry.command))
+      .bind(4, std::string_view(commandText(entry.command)))
+      .bind(5, std::string_view(settingsText(outline.settings)))
+      .bind(6, std::int64_t{outline.chosenPosition})
+      .bind(7, name(outline.termination))
+      .bind(8, static_cast<std::int64_t>(views))
+      .bind(9, outline.modelStep)
+      .bind(10, std::string_view(hashText(entry.hash)))
+      .run();
+  addViews(entry, outline.views, "in");
+  addViews(entry, outline.rejected, "rejected");
+  addViews(entry, outline.leftOut, "left out");
+  if (newPlan)
+    database_.prepare("INSERT OR REPLACE INTO plan VALUES(?, ?, ?)")
+        .bind(1, entry.step)
+        .bind(2, std::string_view(newPlan->summary))
+        .bind(3, std::span<const std::byte>(newPlan->data))
+        .run();
+  setMeta("tip", std::to_string(entry.step));
+  moveCursor(entry.step, std::string(kindOf(entry.command)));
+}
+
+void SessionStore::addModel(std::int64_t step, const std::vector<std::byte>& blob) {
+  database_.prepare("INSERT OR REPLACE INTO model VALUES(?, ?)")
+      .bind(1, step)
+      .bind(2, std::span<const std::byte>(blob))
+      .run();
+  thinModels(step);
+}
+
+void SessionStore::moveCursor(std::int64_t step, const std::string& what) {
+  setMeta("cursor", std::to_string(step));
+  addEvent(what, step);
+}
+
+// When models take too much room, every second of the old ones goes, then every second of those that are left.
+void SessionStore::thinModels(std::int64_t newest) {
+  for (std::int64_t stride = 2; stride < newest; stride *= 2) {
+    Statement size = database_.prepare("SELECT ifnull(sum(length(data)), 0) FROM model");
+    size.step();
+    if (size.integer(0) <= kModelBytes) return;
+    database_.prepare("DELETE FROM model WHERE step % ? <> 0 AND step < ?").bind(1, stride).bind(2, newest - 4).run();
+  }
+}
+
+}  // namespace vantage

@@ -1,0 +1,155 @@
+#include <algorithm>
+#include <charconv>
+#include <set>
+#include <utility>
+
+#include "base/errors.h"
+#include "session/session_blobs.h"
+#include "session/session_json.h"
+#include "session/session_store.h"
+
+namespace vantage {
+namespace {
+
+struct StepRow {
+  std::int64_t parent = 0;
+  std::int64_t views = 0;
+  HistoryEntry entry;
+};
+
+std::uint64_t hashFrom(const std::string& text) {
+  std::uint64_t hash = 0;
+  std::from_chars(text.data(), text.data() + text.size(), hash, 16);
+  return hash;
+}
+
+std::int64_t numberFrom(const std::string& text) {
+  std::int64_t number = 0;
+  std::from_chars(text.data(), text.data() + text.size(), number);
+  return number;
+}
+
+// Reads the tables step, record and view, skipping what is damaged.
+class HistoryReader {
+ public:
+  explicit HistoryReader(Database& database) : database_(database) {}
+
+  StoredHistory read(std::int64_t tip, std::int64_t cursor) {
+    readSteps();
+    followPath(tip);
+    readRecords();
+    readViews();
+    for (const std::int64_t step : path_) take(step);
+    for (std::size_t i = 0; i < result_.entries.size(); ++i)
+      if (result_.entries[i].step <= cursor) result_.cursor = i;
+    return std::move(result_);
+  }
+
+ private:
+  // Runs `row` for every row of a query; what is damaged becomes a loss, with the query's first column as its number.
+  template <typename Row>
+  void forEach(const std::string& what, const std::string& query, const Row& row) {
+    try {
+      Statement rows = database_.prepare(query);
+      while (rows.step()) {
+        try {
+          row(rows, database_.path() + ": " + what + " " + rows.text(0));
+        } catch (const InvalidInput& e) {
+          lose(e.what());
+        }
+      }
+    } catch (const IoError& e) {
+      lose(std::string(e.what()) + ": not all rows of " + what + " could be read");
+    }
+  }
+
+  void lose(const std::string& sentence) { result_.losses.push_back(sentence); }
+
+  void readSteps() {
+    forEach("step", "SELECT id, parent, kind, command, settings, chosen, termination, views, model, hash FROM step",
+            [&](const Statement& row, const std::string& what) {
+              auto outline = std::make_shared<StateOutline>();
+              outline->settings = settingsFromText(row.text(4), what);
+              outline->chosenPosition = static_cast<int>(std::clamp<std::int64_t>(row.integer(5), -1, 1'000'000));
+              outline->termination = terminationFromName(row.text(6), what);
+              outline->modelStep = row.integer(8);
+              StepRow step{row.integer(1), row.integer(7), {}};
+              step.entry.step = row.integer(0);
+              step.entry.command = commandFromText(row.text(2), row.text(3), what);
+              step.entry.hash = hashFrom(row.text(9));
+              outlines_[step.entry.step] = std::move(outline);
+              steps_[step.entry.step] = std::move(step);
+            });
+  }
+
+  // The steps from the first to the tip. Where a step is lost, those before it are found by their numbers.
+  void followPath(std::int64_t tip) {
+    auto at = steps_.find(tip);
+    if (at == steps_.end() && !steps_.empty()) {
+      at = std::prev(steps_.end());
+      lose(database_.path() + ": step " + std::to_string(tip) + ", the last one, is lost");
+    }
+    while (at != steps_.end()) {
+      path_.push_back(at->first);
+      const std::int64_t parent = at->second.parent;
+      if (at == steps_.begin() || parent == 0) break;
+      if (!steps_.contains(parent)) lose(database_.path() + ": step " + std::to_string(parent) + " is lost");
+      const auto behind = steps_.upper_bound(std::min(parent, at->first - 1));
+      at = behind == steps_.begin() ? steps_.end() : std::prev(behind);
+    }
+    std::reverse(path_.begin(), path_.end());
+    onPath_.insert(path_.begin(), path_.end());
+  }
+
+  void readRecords() {
+    forEach("record", "SELECT id, step, scan, data FROM record", [&](const Statement& row, const std::string& what) {
+      records_[{row.integer(1), row.integer(2)}] =
+          std::make_shared<const ViewRecord>(recordFromText(row.text(3), what));
+    });
+  }
+
+  void readViews() {
+    forEach(
+        "view", "SELECT id, step, scan, status, pose, record, plan FROM view ORDER BY step, place, id",
+        [&](const Statement& row, const std::string& what) {
+          const std::int64_t step = row.integer(1);
+          if (!onPath_.contains(step)) return;
+          OutlinedView view{row.integer(2), poseFromBlob(row.blob(4), what), nullptr, row.integer(5), row.integer(6)};
+          const auto record = records_.find({view.recordStep, view.scan});
+          if (record == records_.end()) throw InvalidInput(what + " is damaged: it has no record");
+          view.record = record->second;
+          StateOutline& outline = *outlines_[step];
+          const std::string status = row.text(3);
+          auto& list = status == "in" ? outline.views : status == "rejected" ? outline.rejected : outline.leftOut;
+          list.push_back(std::move(view));
+          ++counts_[step];
+        });
+  }
+
+  void take(std::int64_t step) {
+    StepRow& row = steps_[step];
+    if (counts_[step] != row.views) {
+      lose(database_.path() + ": step " + std::to_string(step) + " is lost: not all of its views are there");
+      return;
+    }
+    row.entry.outline = outlines_[step];
+    result_.entries.push_back(std::move(row.entry));
+  }
+
+  Database& database_;
+  StoredHistory result_;
+  std::map<std::int64_t, StepRow> steps_;
+  std::map<std::int64_t, std::shared_ptr<StateOutline>> outlines_;
+  std::map<std::pair<std::int64_t, std::int64_t>, std::shared_ptr<const ViewRecord>> records_;
+  std::map<std::int64_t, std::int64_t> counts_;
+  std::vector<std::int64_t> path_;
+  std::set<std::int64_t> onPath_;
+};
+
+}  // namespace
+
+StoredHistory SessionStore::history() {
+  return HistoryReader(database_).read(numberFrom(meta("tip")), numberFrom(meta("cursor")));
+}
+
+}  // namespace vantage

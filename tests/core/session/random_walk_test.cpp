@@ -1,0 +1,120 @@
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "acquisition/apply_command.h"
+#include "acquisition/next_scan.h"
+#include "base/random.h"
+#include "session/session.h"
+#include "session/state_hash.h"
+#include "support/scenes/small_scene.h"
+#include "support/test_data.h"
+
+// Walks through a session at random: commands, undo, redo and reopening, beside a plain list of what every step led to.
+
+namespace vantage {
+namespace {
+
+class Walk {
+ public:
+  explicit Walk(const std::string& path)
+      : path_(path),
+        session_(testing::createSmallSession(path, {})),
+        images_(computeScannerImages(*session_.profile())) {
+    expected_.push_back(stateHash(*session_.state()));
+  }
+
+  void step() {
+    const std::uint64_t dice = random_.below(1000);
+    if (dice < 330) {
+      if (session_.history().canUndo()) move(-1);
+    } else if (dice < 640) {
+      if (session_.history().canRedo()) move(1);
+    } else if (dice < 645) {
+      reopen();
+    } else {
+      command(dice);
+    }
+    EXPECT_EQ(stateHash(*session_.state()), expected_[at_]);
+    EXPECT_EQ(session_.history().current().hash, expected_[at_]);
+  }
+
+  [[nodiscard]] int scansAdded() const { return added_; }
+  [[nodiscard]] int viewsLeftOut() const { return leftOut_; }
+
+ private:
+  void move(int by) {
+    by < 0 ? session_.undo() : session_.redo();
+    at_ += static_cast<std::size_t>(by);
+  }
+
+  void reopen() {
+    session_ = Session::open(moved(), SessionAccess::Write);
+    ASSERT_EQ(session_.history().size(), expected_.size());
+    ASSERT_EQ(session_.history().cursor(), at_);
+    const std::size_t other = random_.below(expected_.size());
+    EXPECT_EQ(stateHash(*session_.state(other)), expected_[other]);
+  }
+
+  // One program at a time may write: the old one closes before the new one opens.
+  std::string moved() {
+    session_ = testing::createSmallSession(path_ + ".other", {});
+    return path_;
+  }
+
+  void command(std::uint64_t dice) {
+    const auto state = session_.state();
+    if (dice < 655 && state->views.size() < 4) return add(*state);
+    if (dice < 665 && state->views.size() > 1) return leaveOut(*state);
+    if (dice < 675 && !state->leftOut.empty()) return apply(TakeBackView{state->leftOut[0].record.scan});
+    if (dice < 850) return apply(ChoosePosition{static_cast<int>(random_.below(24))});
+    apply(Finish{random_.below(2) == 0 ? Termination::Finished : Termination::Running});
+  }
+
+  void add(const AcquisitionState& state) {
+    const int position = state.views.empty() ? 0 : (state.views.back().image->position + 2) % 24;
+    SimulatedScanner scanner(testing::smallObject(), session_.profile(), {}, static_cast<int>(session_.scanCount()));
+    apply(AddScan{session_.keepScan(scanner.scan(position, Progress())).number, {}});
+    ++added_;
+  }
+
+  void leaveOut(const AcquisitionState& state) {
+    apply(LeaveOutView{state.records[random_.below(state.records.size())].scan});
+    ++leftOut_;
+  }
+
+  void apply(const Command& command) {
+    const CommandInput input{[&](std::int64_t number) { return session_.scan(number); }, &images_};
+    AcquisitionState after = applyCommand(*session_.state(), command, input, {});
+    expected_.resize(++at_);
+    expected_.push_back(stateHash(after));
+    session_.record(command, std::move(after));
+  }
+
+  std::string path_;
+  Session session_;
+  ScannerImages images_;
+  Random random_{7};
+  std::vector<std::uint64_t> expected_;
+  std::size_t at_ = 0;
+  int added_ = 0;
+  int leftOut_ = 0;
+};
+
+TEST(RandomWalk, TenThousandCommandsUndosAndRedosReturnToEqualStates) {
+  const testing::TemporaryFolder folder;
+  // In memory where there is such a folder: what is tested is not the disk.
+  const std::string file = "vantage_walk_" + std::to_string(getpid()) + ".vantage";
+  const bool memory = std::filesystem::is_directory("/dev/shm");
+  const std::string path = memory ? "/dev/shm/" + file : folder.file(file);
+  {
+    Walk walk(path);
+    for (int i = 0; i < 10000 && !::testing::Test::HasFailure(); ++i) walk.step();
+    EXPECT_GT(walk.scansAdded(), 20);
+    EXPECT_GT(walk.viewsLeftOut(), 20);
+  }
+  for (const char* end : {"", ".other"}) std::filesystem::remove(path + end);
+}
+
+}  // namespace
+}  // namespace vantage

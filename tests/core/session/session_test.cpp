@@ -1,0 +1,286 @@
+#include "session/session.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <sstream>
+
+#include "acquisition/apply_command.h"
+#include "base/errors.h"
+#include "core/io/expect_error.h"
+#include "report/report.h"
+#include "session/database.h"
+#include "session/session_blobs.h"
+#include "session/state_hash.h"
+#include "support/scenes/small_scene.h"
+#include "support/test_data.h"
+
+namespace vantage {
+namespace {
+
+using testing::createSmallSession;
+using testing::expectError;
+using testing::recordIn;
+using testing::runSmallSession;
+using testing::TemporaryFolder;
+
+AcquisitionSettings twoViews() {
+  AcquisitionSettings settings;
+  settings.object = "small";
+  settings.maxViews = 2;
+  settings.tolerance = 0.3;
+  return settings;
+}
+
+class SessionTest : public ::testing::Test {
+ protected:
+  [[nodiscard]] std::string path() const { return folder_.file("test.vantage"); }
+  [[nodiscard]] Session reopened() const { return Session::open(path(), SessionAccess::Read); }
+
+  AcquisitionState saveTwoViews() {
+    Session session = createSmallSession(path(), twoViews());
+    return runSmallSession(session, recordIn(session));
+  }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(SessionTest, BringsBackWhatWasSavedBitByBit) {
+  const AcquisitionState saved = saveTwoViews();
+  const Session session = reopened();
+  const auto loaded = session.state();
+  EXPECT_EQ(loaded->settings.object, "small");
+  EXPECT_EQ(loaded->settings.tolerance, 0.3);
+  ASSERT_EQ(loaded->views.size(), 2U);
+  EXPECT_EQ(loaded->views[1].T_object_scanner.matrix(), saved.views[1].T_object_scanner.matrix());
+  EXPECT_EQ(rangeBlob(loaded->views[1].image->range), rangeBlob(saved.views[1].image->range));
+  EXPECT_EQ(modelBlob(*loaded->model), modelBlob(*saved.model));
+  EXPECT_EQ(planBlob(*currentPlan(*loaded)), planBlob(*currentPlan(saved)));
+  EXPECT_EQ(makeReport(*loaded, "test")["views"], makeReport(saved, "test")["views"]);
+  EXPECT_EQ(stateHash(*loaded), stateHash(saved));
+  EXPECT_EQ(session.history().current().hash, stateHash(saved));
+  EXPECT_TRUE(session.losses().empty());
+}
+
+TEST_F(SessionTest, BringsBackEveryStateOfItsHistory) {
+  static_cast<void>(saveTwoViews());
+  const Session session = reopened();
+  ASSERT_EQ(session.history().size(), 3U);
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(session.state(i)->views.size(), i);
+    EXPECT_EQ(stateHash(*session.state(i)), session.history().entry(i).hash) << i;
+  }
+  EXPECT_EQ(session.model(0), nullptr);
+  EXPECT_EQ(modelBlob(*session.model(1)), modelBlob(*session.state(1)->model));
+  EXPECT_EQ(session.plan(2)->scores.size(), 24U);
+}
+
+TEST_F(SessionTest, ReplaysToTheSameBytes) {
+  static_cast<void>(saveTwoViews());
+  const Session session = reopened();
+  const ScannerImages images = computeScannerImages(*session.profile());
+  const CommandInput input{[&](std::int64_t number) { return session.scan(number); }, &images};
+  AcquisitionState state;
+  state.profile = session.profile();
+  for (std::size_t i = 0; i < session.history().size(); ++i) {
+    state = applyCommand(state, session.history().entry(i).command, input, {});
+    EXPECT_EQ(stateHash(state), session.history().entry(i).hash) << describe(session.history().entry(i).command);
+  }
+}
+
+TEST_F(SessionTest, ReadsNothingThatNobodyHolds) {
+  static_cast<void>(saveTwoViews());
+  const Session session = reopened();
+  const std::weak_ptr<const RangeImage> scan = session.scan(0);
+  EXPECT_TRUE(scan.expired());
+  const auto early = session.state(1);
+  const auto late = session.state(2);
+  EXPECT_EQ(early->views[0].image, late->views[0].image);
+  EXPECT_EQ(early->views[0].mesh, late->views[0].mesh);
+}
+
+TEST_F(SessionTest, UndoAndRedoSurviveReopening) {
+  static_cast<void>(saveTwoViews());
+  std::uint64_t before = 0;
+  {
+    Session session = Session::open(path(), SessionAccess::Write);
+    session.undo();
+    before = stateHash(*session.state());
+  }
+  Session session = Session::open(path(), SessionAccess::Write);
+  EXPECT_EQ(session.state()->views.size(), 1U);
+  EXPECT_EQ(stateHash(*session.state()), before);
+  session.redo();
+  EXPECT_EQ(session.state()->views.size(), 2U);
+  EXPECT_EQ(session.scanCount(), 2);
+}
+
+TEST_F(SessionTest, LeavesViewsOutAndTakesThemBack) {
+  static_cast<void>(saveTwoViews());
+  Session session = Session::open(path(), SessionAccess::Write);
+  const ScannerImages images = computeScannerImages(*session.profile());
+  const CommandInput input{[&](std::int64_t number) { return session.scan(number); }, &images};
+  const auto apply = [&](const Command& command) {
+    session.record(command, applyCommand(*session.state(), command, input, {}));
+  };
+  const auto whole = session.state();
+  apply(LeaveOutView{0});
+  EXPECT_EQ(session.state()->views.size(), 1U);
+  EXPECT_EQ(session.state()->records[0].scan, 1);
+  EXPECT_EQ(session.state()->leftOut.size(), 1U);
+  EXPECT_EQ(session.state()->termination, Termination::Running);
+  EXPECT_THROW(apply(LeaveOutView{1}), InvalidInput);
+  EXPECT_THROW(apply(LeaveOutView{7}), InvalidInput);
+  apply(TakeBackView{0});
+  EXPECT_EQ(session.state()->views.size(), 2U);
+  EXPECT_EQ(session.state()->records[0].scan, 0);
+  EXPECT_EQ(session.state()->views[0].T_object_scanner.matrix(), whole->views[0].T_object_scanner.matrix());
+  const std::uint64_t hash = stateHash(*session.state());
+  EXPECT_EQ(stateHash(*reopened().state()), hash);
+}
+
+TEST_F(SessionTest, AChosenPositionIsScannedNext) {
+  AcquisitionSettings settings = twoViews();
+  settings.maxViews = 1;
+  Session session = createSmallSession(path(), settings);
+  static_cast<void>(runSmallSession(session, recordIn(session)));
+  AcquisitionState state = *session.state();
+  for (const Command& command : {Command(ChoosePosition{3}), Command(Finish{Termination::Running})}) {
+    state = applyCommand(state, command, {}, {});
+    session.record(command, state);
+  }
+  const AcquisitionState end = runSmallSession(session, recordIn(session));
+  ASSERT_EQ(end.records.size(), 2U);
+  EXPECT_EQ(end.records[1].position, 3);
+  ASSERT_TRUE(end.records[1].predicted);
+  EXPECT_EQ(end.chosenPosition, -1);
+  EXPECT_THROW(static_cast<void>(applyCommand(end, ChoosePosition{24}, {}, {})), InvalidInput);
+}
+
+TEST_F(SessionTest, HasTheModelOfEveryStepInItsFileWhenItHasSettled) {
+  Session session = createSmallSession(path(), twoViews());
+  std::size_t steps = 0;
+  static_cast<void>(runSmallSession(session, [&](const Command& command, const AcquisitionState& state) {
+    session.record(command, state);
+    session.settle();
+    Database database(path(), Database::Mode::Read);
+    Statement row = database.prepare("SELECT data FROM model WHERE step = (SELECT max(model) FROM step)");
+    ASSERT_TRUE(row.step());
+    EXPECT_EQ(row.blob(0), modelBlob(*state.model));
+    ++steps;
+  }));
+  EXPECT_GE(steps, 2U);
+}
+
+TEST_F(SessionTest, AScanThatWasNotYetAddedIsUsedBeforeAnotherIsTaken) {
+  const AcquisitionState whole = saveTwoViews();
+  Session session = createSmallSession(path(), twoViews());
+  SimulatedScanner scanner(testing::smallObject(), session.profile(), {});
+  EXPECT_EQ(session.keepScan(scanner.scan(0, Progress())).number, 0);
+  ASSERT_TRUE(session.unusedScan());
+  static_cast<void>(runSmallSession(session, recordIn(session)));
+  EXPECT_EQ(session.scanCount(), 2);
+  EXPECT_FALSE(session.unusedScan());
+  EXPECT_EQ(modelBlob(*session.state()->model), modelBlob(*whole.model));
+}
+
+TEST_F(SessionTest, AScanOfAPositionThatDoesNotExistIsRefused) {
+  Session session = createSmallSession(path(), twoViews());
+  SimulatedScanner scanner(testing::smallObject(), session.profile(), {});
+  RangeImage image = scanner.scan(0, Progress());
+  image.position = 24;
+  expectError<InvalidInput>([&] { session.keepScan(image); }, {"test.vantage", "position 24"});
+  EXPECT_EQ(session.scanCount(), 0);
+}
+
+// Earlier sessions have pages of another size.
+TEST_F(SessionTest, IsCopiedWithPagesOfAnySize) {
+  const AcquisitionState saved = saveTwoViews();
+  for (const char* size : {"4096", "65536"}) {
+    {
+      Database database(path(), Database::Mode::Write);
+      database.run("PRAGMA journal_mode=DELETE");
+      database.run(std::string("PRAGMA page_size=") + size);
+      database.run("VACUUM");
+    }
+    Session session = Session::open(path(), SessionAccess::Write);
+    session.setNote("page", size);
+    const std::string copy = folder_.file(std::string("copy-") + size + ".vantage");
+    session.copyTo(copy);
+    const Session read = Session::open(copy, SessionAccess::Read);
+    EXPECT_EQ(stateHash(*read.state()), stateHash(saved));
+    EXPECT_EQ(read.note("page"), size);
+    Database pages(copy, Database::Mode::Read);
+    Statement row = pages.prepare("PRAGMA page_size");
+    ASSERT_TRUE(row.step());
+    EXPECT_EQ(row.text(0), size);
+    EXPECT_EQ(stateHash(*Session::open(copy, SessionAccess::Write).state()), stateHash(saved));
+  }
+}
+
+TEST_F(SessionTest, KeepsTheRaysOfRecordedScansOnce) {
+  const auto profile = testing::smallProfile();
+  SimulatedScanner scanner(testing::smallObject(), profile, {});
+  Session session = Session::create(path(), {std::nullopt, {}, nullptr});
+  RangeImage image = scanner.scan(3, Progress());
+  image.position = -1;
+  static_cast<void>(session.keepScan(image));
+  static_cast<void>(session.keepScan(image));
+  const Session read = reopened();
+  EXPECT_EQ(raysBlob(*read.scan(0)->rays), raysBlob(*profile->rays));
+  const auto first = read.scan(0);
+  EXPECT_EQ(first->rays, read.scan(1)->rays);
+}
+
+TEST_F(SessionTest, KeepsRemarks) {
+  {
+    Session session = createSmallSession(path(), twoViews());
+    session.setNote("page", "acquire");
+  }
+  EXPECT_EQ(reopened().note("page"), "acquire");
+  EXPECT_EQ(reopened().note("other"), "");
+}
+
+TEST_F(SessionTest, ASecondWriterIsToldWhoHoldsItAndReadersAreNotHindered) {
+  Session session = createSmallSession(path(), twoViews());
+  expectError<IoError>([&] { static_cast<void>(Session::open(path(), SessionAccess::Write)); },
+                       {"test.vantage", "test_acquisition", "process " + std::to_string(getpid())});
+  expectError<IoError>([&] { static_cast<void>(createSmallSession(path(), twoViews())); }, {"test_acquisition"});
+  const Session reader = reopened();
+  static_cast<void>(runSmallSession(session, recordIn(session)));
+  EXPECT_EQ(reader.history().size(), 1U);
+  EXPECT_EQ(reader.scanCount(), 0);
+  EXPECT_EQ(reopened().history().size(), 3U);
+}
+
+TEST_F(SessionTest, RefusesWhatIsNoSession) {
+  expectError<IoError>([&] { static_cast<void>(reopened()); }, {"no such file"});
+  std::ofstream(path()) << "not a database at all, but long enough to be looked at";
+  EXPECT_THROW(static_cast<void>(reopened()), IoError);
+  std::filesystem::remove(path());
+  Database(path(), Database::Mode::Create).run("CREATE TABLE other(x)");
+  EXPECT_THROW(static_cast<void>(reopened()), InvalidInput);
+  EXPECT_THROW(static_cast<void>(Session::open(path(), SessionAccess::Write)), InvalidInput);
+}
+
+TEST_F(SessionTest, RefusesASchemaThatDoesMoreThanHoldData) {
+  static_cast<void>(saveTwoViews());
+  Database(path(), Database::Mode::Write).run("CREATE TRIGGER t AFTER INSERT ON event BEGIN DELETE FROM scan; END");
+  EXPECT_THROW(static_cast<void>(reopened()), InvalidInput);
+}
+
+TEST(SessionBlobs, RefuseEveryTruncation) {
+  Model model;
+  model.mesh.vertices = {Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)};
+  model.mesh.triangles = {{0, 1, 2}};
+  model.confidence = {1, 1, 1};
+  model.vertexView = model.vertexSample = {0, 0, 0};
+  model.triangleView = {0};
+  const auto blob = modelBlob(model);
+  EXPECT_EQ(modelFromBlob(blob, "model").mesh.triangles, model.mesh.triangles);
+  for (std::size_t size = 0; size < blob.size(); ++size)
+    EXPECT_THROW(static_cast<void>(modelFromBlob(std::span(blob).first(size), "model")), InvalidInput) << size;
+}
+
+}  // namespace
+}  // namespace vantage
