@@ -12,7 +12,7 @@
 #include "planning/plan.h"
 #include "registration/icp.h"
 #include "scanner/profile.h"
-#include "scanner/triangulation.h"
+#include "scanner/view.h"
 
 namespace vantage {
 

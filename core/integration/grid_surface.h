@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "integration/exact_plane.h"
-#include "scanner/triangulation.h"
+#include "scanner/view.h"
 
 namespace vantage {
 

@@ -7,7 +7,7 @@
 #include "base/progress.h"
 #include "integration/model.h"
 #include "integration/zipper_options.h"
-#include "scanner/triangulation.h"
+#include "scanner/view.h"
 
 namespace vantage {
 

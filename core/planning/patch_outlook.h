@@ -6,7 +6,7 @@
 #include "base/progress.h"
 #include "planning/plan.h"
 #include "planning/visibility.h"
-#include "scanner/triangulation.h"
+#include "scanner/view.h"
 
 namespace vantage {
 

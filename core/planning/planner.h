@@ -11,7 +11,7 @@
 #include "positional_space/scanner_images.h"
 #include "registration/pose_prior.h"
 #include "scanner/profile.h"
-#include "scanner/triangulation.h"
+#include "scanner/view.h"
 
 namespace vantage {
 

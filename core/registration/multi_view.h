@@ -6,7 +6,7 @@
 
 #include "base/progress.h"
 #include "registration/motion_information.h"
-#include "scanner/triangulation.h"
+#include "scanner/view.h"
 
 namespace vantage {
 

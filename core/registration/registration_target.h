@@ -4,7 +4,7 @@
 
 #include "geometry/mesh.h"
 #include "registration/oriented_points.h"
-#include "scanner/triangulation.h"
+#include "scanner/view.h"
 
 namespace vantage {
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
 #include <vector>
 
 #include "geometry/mesh.h"
@@ -34,12 +33,5 @@ struct ViewMesh {
 /// No edge has more than two triangles; all are oriented toward the scanner.
 /// @throws InvalidInput for a range image that is not one.
 [[nodiscard]] ViewMesh triangulate(const RangeImage& image, const TriangulationOptions& options);
-
-/// A scan that has its place: what registration, integration and planning share of it. Pieces are immutable.
-struct View {
-  std::shared_ptr<const RangeImage> image;
-  std::shared_ptr<const ViewMesh> mesh;
-  Pose T_object_scanner = Pose::Identity();  ///< registered pose
-};
 
 }  // namespace vantage

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "scanner/triangulation.h"
+#include "scanner/view.h"
 
 namespace vantage {
 

@@ -4,7 +4,7 @@
 
 #include "base/progress.h"
 #include "integration/model.h"
-#include "scanner/triangulation.h"
+#include "scanner/view.h"
 #include "void_space/void_patch.h"
 
 namespace vantage {

@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "scanner/triangulation.h"
+#include "scanner/view.h"
 
 namespace vantage {
 

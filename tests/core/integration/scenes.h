@@ -5,7 +5,7 @@
 
 #include "geometry/mesh.h"
 #include "integration/model.h"
-#include "scanner/triangulation.h"
+#include "scanner/view.h"
 
 namespace vantage::testing {
 

@@ -4,7 +4,7 @@
 
 #include "geometry/mesh.h"
 #include "scanner/profile.h"
-#include "scanner/triangulation.h"
+#include "scanner/view.h"
 
 namespace vantage::testing {
 

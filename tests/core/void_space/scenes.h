@@ -6,7 +6,7 @@
 
 #include "integration/model.h"
 #include "scanner/profile.h"
-#include "scanner/triangulation.h"
+#include "scanner/view.h"
 
 namespace vantage::testing {
 
