@@ -3,23 +3,16 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/content_hash.h"
+
 namespace vantage {
-namespace {
-
-std::uint64_t mix(std::uint64_t z) {
-  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ULL;
-  z = (z ^ (z >> 27)) * 0x94d049bb133111ebULL;
-  return z ^ (z >> 31);
-}
-
-}  // namespace
 
 Random::Random(std::uint64_t seed, std::uint64_t stream)
-    : state_(mix(seed + 0x9e3779b97f4a7c15ULL) ^ mix(stream * 0xd1342543de82ef95ULL + 0x2545f4914f6cdd1dULL)) {}
+    : state_(mixedBits(seed + 0x9e3779b97f4a7c15ULL) ^ mixedBits(stream * 0xd1342543de82ef95ULL + 0x2545f4914f6cdd1dULL)) {}
 
 std::uint64_t Random::bits() {
   state_ += 0x9e3779b97f4a7c15ULL;
-  return mix(state_);
+  return mixedBits(state_);
 }
 
 double Random::uniform() {

@@ -4,17 +4,14 @@
 #include <string>
 #include <utility>
 
+#include "base/content_hash.h"
 #include "base/errors.h"
 
 namespace vantage {
 namespace {
 
-// The finalizer of splitmix64.
 std::uint64_t hashOf(std::uint32_t vertex) {
-  std::uint64_t x = (static_cast<std::uint64_t>(vertex) + 1) * 0x9e3779b97f4a7c15ULL;
-  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9ULL;
-  x = (x ^ (x >> 27)) * 0x94d049bb133111ebULL;
-  return x ^ (x >> 31);
+  return mixedBits((static_cast<std::uint64_t>(vertex) + 1) * 0x9e3779b97f4a7c15ULL);
 }
 
 }  // namespace

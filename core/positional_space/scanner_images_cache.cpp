@@ -10,34 +10,16 @@
 #include <utility>
 
 #include "base/errors.h"
+#include "geometry/geometry_hash.h"
 
 namespace vantage {
 namespace {
 
 constexpr std::array<char, 8> kMagic = {'V', 'N', 'T', 'G', 'P', 'S', 'C', 'I'};
 // Raise it whenever what is computed or how it is laid out changes.
-constexpr std::uint32_t kVersion = 1;
+constexpr std::uint32_t kVersion = 2;
 // Written as a number: a file from a machine of the other byte order does not match.
 constexpr std::uint32_t kByteOrder = 0x01020304U;
-
-// 64-bit FNV-1a.
-class Hash {
- public:
-  void add(const void* data, std::size_t bytes) {
-    const auto* p = static_cast<const unsigned char*>(data);
-    for (std::size_t i = 0; i < bytes; ++i) value_ = (value_ ^ p[i]) * 0x100000001b3ULL;
-  }
-  template <typename T>
-  requires std::is_arithmetic_v<T>
-  void add(T value) { add(&value, sizeof value); }
-  void add(const Vec3& v) {
-    for (int k = 0; k < 3; ++k) add(v[k]);
-  }
-  [[nodiscard]] std::uint64_t value() const { return value_; }
-
- private:
-  std::uint64_t value_ = 0xcbf29ce484222325ULL;
-};
 
 class Writer {
  public:
@@ -137,29 +119,28 @@ std::optional<ScannerImages> decode(const std::string& body) {
 }
 
 std::uint64_t checksum(const std::string& body) {
-  Hash hash;
-  hash.add(body.data(), body.size());
+  ContentHash hash;
+  hash.add(std::string_view(body));
   return hash.value();
 }
 
 }  // namespace
 
 std::uint64_t contentHash(const ScannerProfile& profile) {
-  Hash hash;
+  ContentHash hash;
   hash.add(kVersion);
   const RayGrid& rays = *profile.rays;
   hash.add(rays.rows());
   hash.add(rays.columns());
   hash.add(static_cast<std::uint64_t>(rays.receivers(0).size()));
   for (std::size_t i = 0; i < rays.size(); ++i) {
-    hash.add(rays.ray(i).origin);
-    hash.add(rays.ray(i).direction);
-    for (const Vec3& r : rays.receivers(i)) hash.add(r);
+    addPoint(hash, rays.ray(i).origin);
+    addPoint(hash, rays.ray(i).direction);
+    for (const Vec3& r : rays.receivers(i)) addPoint(hash, r);
   }
   hash.add(profile.workspace.steps);
   hash.add(static_cast<std::uint64_t>(profile.workspace.size()));
-  for (const Pose& pose : profile.workspace.poses)
-    for (int k = 0; k < 12; ++k) hash.add(pose(k / 4, k % 4));
+  for (const Pose& pose : profile.workspace.poses) addPose(hash, pose);
   for (const double v :
        {profile.minRange, profile.maxRange, profile.viewingVolume.radius, profile.viewingVolume.height})
     hash.add(v);
@@ -217,9 +198,7 @@ ScannerImages loadScannerImages(const ScannerProfile& profile, const std::string
                                 const Progress& progress) {
   if (cacheDirectory.empty()) return computeScannerImages(profile, progress);
   const std::uint64_t hash = contentHash(profile);
-  std::array<char, 17> name{};
-  std::snprintf(name.data(), name.size(), "%016llx", static_cast<unsigned long long>(hash));
-  const std::string path = (std::filesystem::path(cacheDirectory) / (std::string(name.data()) + ".images")).string();
+  const std::string path = (std::filesystem::path(cacheDirectory) / (hashText(hash) + ".images")).string();
   if (auto cached = readScannerImages(path, hash)) return *std::move(cached);
   ScannerImages images = computeScannerImages(profile, progress);
   try {

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "base/errors.h"
+#include "geometry/geometry_hash.h"
 #include "io/placement.h"
 #include "session/model_writer.h"
 #include "session/session_blobs.h"

@@ -5,9 +5,9 @@
 #include <utility>
 
 #include "base/errors.h"
+#include "geometry/geometry_hash.h"
 #include "session/session_blobs.h"
 #include "session/session_json.h"
-#include "session/state_hash.h"
 
 namespace vantage {
 namespace {

@@ -1,16 +1,9 @@
 #include "session/state_hash.h"
 
-#include <cstring>
+#include "geometry/geometry_hash.h"
 
 namespace vantage {
 namespace {
-
-// The finaliser of splitmix64: every bit of the argument reaches every bit of the result.
-std::uint64_t mixed(std::uint64_t z) {
-  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ULL;
-  z = (z ^ (z >> 27)) * 0x94d049bb133111ebULL;
-  return z ^ (z >> 31);
-}
 
 void addSettings(ContentHash& hash, const AcquisitionSettings& s) {
   hash.add(s.object);
@@ -50,7 +43,7 @@ void addPatches(ContentHash& hash, const Plan& plan) {
   if (plan.voids) {
     for (const VoidPatch& p : plan.voids->patches) {
       hash.add(p.triangle);
-      hash.add(std::as_bytes(std::span(p.centre.data(), 3)));
+      addPoint(hash, p.centre);
       hash.add(p.angle);
       hash.add(p.weight);
       hash.add(p.edgeClass);
@@ -65,7 +58,7 @@ void addPatches(ContentHash& hash, const Plan& plan) {
 }
 
 void addRegistration(ContentHash& hash, const RegistrationResult& r) {
-  hash.add(r.T_object_scanner);
+  addPose(hash, r.T_object_scanner);
   hash.add(r.verdict);
   hash.add(r.reason);
   hash.add(r.rms);
@@ -76,13 +69,13 @@ void addRegistration(ContentHash& hash, const RegistrationResult& r) {
 
 void addImage(ContentHash& hash, const RangeImage& image) {
   hash.add(image.position);
-  hash.add(image.T_object_scanner);
+  addPose(hash, image.T_object_scanner);
   hash.add(image.range);
 }
 
 void addView(ContentHash& hash, const View& view, const ViewRecord& record) {
   hash.add(record.scan);
-  hash.add(view.T_object_scanner);
+  addPose(hash, view.T_object_scanner);
   if (view.image) addImage(hash, *view.image);
   addRegistration(hash, record.registration);
   hash.add(record.newArea);
@@ -102,42 +95,6 @@ void addModel(ContentHash& hash, const Model& model) {
 }
 
 }  // namespace
-
-void ContentHash::add(std::span<const std::byte> bytes) {
-  value_ = mixed(value_ ^ bytes.size());
-  for (; bytes.size() >= sizeof(std::uint64_t); bytes = bytes.subspan(sizeof(std::uint64_t))) {
-    std::uint64_t word;
-    std::memcpy(&word, bytes.data(), sizeof word);
-    value_ = (value_ ^ word) * 0x9fb21c651e98df25ULL;
-    value_ ^= value_ >> 29;
-  }
-  std::uint64_t rest = 0;
-  if (!bytes.empty()) std::memcpy(&rest, bytes.data(), bytes.size());
-  value_ = mixed(value_ ^ rest);
-}
-
-void ContentHash::add(const Pose& pose) {
-  for (Eigen::Index r = 0; r < 3; ++r)
-    for (Eigen::Index c = 0; c < 4; ++c) add(pose.matrix()(r, c));
-}
-
-std::uint64_t ContentHash::value() const {
-  return mixed(value_);
-}
-
-std::string hashText(std::uint64_t hash) {
-  constexpr const char* kDigits = "0123456789abcdef";
-  std::string text(16, '0');
-  for (std::size_t i = 16; i-- > 0; hash >>= 4) text[i] = kDigits[hash & 15];
-  return text;
-}
-
-std::uint64_t contentHash(const Mesh& mesh) {
-  ContentHash hash;
-  for (const Vec3& v : mesh.vertices) hash.add(std::as_bytes(std::span(v.data(), 3)));
-  hash.add(mesh.triangles);
-  return hash.value();
-}
 
 std::uint64_t stateHash(const AcquisitionState& state) {
   ContentHash hash;

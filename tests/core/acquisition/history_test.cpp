@@ -87,10 +87,5 @@ TEST(StateHash, TellsStatesApartAndIgnoresTimes) {
   EXPECT_NE(stateHash(a), stateHash(b));
 }
 
-TEST(StateHash, WritesHashesAsSixteenDigits) {
-  EXPECT_EQ(hashText(0x0123456789abcdefULL), "0123456789abcdef");
-  EXPECT_EQ(hashText(0), "0000000000000000");
-}
-
 }  // namespace
 }  // namespace vantage
