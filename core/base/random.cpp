@@ -8,7 +8,8 @@
 namespace vantage {
 
 Random::Random(std::uint64_t seed, std::uint64_t stream)
-    : state_(mixedBits(seed + 0x9e3779b97f4a7c15ULL) ^ mixedBits(stream * 0xd1342543de82ef95ULL + 0x2545f4914f6cdd1dULL)) {}
+    : state_(mixedBits(seed + 0x9e3779b97f4a7c15ULL) ^
+             mixedBits(stream * 0xd1342543de82ef95ULL + 0x2545f4914f6cdd1dULL)) {}
 
 std::uint64_t Random::bits() {
   state_ += 0x9e3779b97f4a7c15ULL;

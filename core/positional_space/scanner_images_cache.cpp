@@ -2,13 +2,13 @@
 
 #include <array>
 #include <cstdio>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <span>
 #include <sstream>
-#include <type_traits>
 #include <utility>
 
+#include "base/blob.h"
 #include "base/errors.h"
 #include "geometry/geometry_hash.h"
 
@@ -21,62 +21,8 @@ constexpr std::uint32_t kVersion = 2;
 // Written as a number: a file from a machine of the other byte order does not match.
 constexpr std::uint32_t kByteOrder = 0x01020304U;
 
-class Writer {
- public:
-  template <typename T>
-  requires std::is_trivially_copyable_v<T>
-  void value(const T& v) { bytes_.append(reinterpret_cast<const char*>(&v), sizeof v); }
-  template <typename T>
-  void list(const std::vector<T>& v) {
-    value(static_cast<std::uint64_t>(v.size()));
-    bytes_.append(reinterpret_cast<const char*>(v.data()), v.size() * sizeof(T));
-  }
-  [[nodiscard]] const std::string& bytes() const { return bytes_; }
-
- private:
-  std::string bytes_;
-};
-
-// Reads what Writer wrote; after a read beyond the end nothing more is read and good() is false.
-class Reader {
- public:
-  explicit Reader(const std::string& bytes) : bytes_(bytes) {}
-
-  template <typename T>
-  T value() {
-    T v{};
-    take(&v, sizeof v);
-    return v;
-  }
-  template <typename T>
-  std::vector<T> list() {
-    const auto count = value<std::uint64_t>();
-    std::vector<T> v;
-    if (!good_ || count > (bytes_.size() - at_) / sizeof(T)) {
-      good_ = false;
-      return v;
-    }
-    v.resize(count);
-    take(v.data(), count * sizeof(T));
-    return v;
-  }
-  [[nodiscard]] bool finished() const { return good_ && at_ == bytes_.size(); }
-
- private:
-  void take(void* to, std::size_t bytes) {
-    good_ = good_ && bytes <= bytes_.size() - at_;
-    if (!good_ || bytes == 0) return;
-    std::memcpy(to, bytes_.data() + at_, bytes);
-    at_ += bytes;
-  }
-
-  const std::string& bytes_;
-  std::size_t at_ = 0;
-  bool good_ = true;
-};
-
-std::string encode(const ScannerImages::Data& data) {
-  Writer out;
+std::vector<std::byte> encode(const ScannerImages::Data& data) {
+  BlobWriter out;
   out.value(static_cast<std::int32_t>(data.shape.surface == PositionalSpaceSurface::Sphere));
   for (const int v : {data.shape.rows, data.shape.columns, data.shape.directions, data.positions, data.steps,
                       data.periods, data.receivers})
@@ -93,8 +39,9 @@ std::string encode(const ScannerImages::Data& data) {
   return out.bytes();
 }
 
-std::optional<ScannerImages> decode(const std::string& body) {
-  Reader in(body);
+// @throws InvalidInput when the body is not what encode makes.
+ScannerImages decode(std::span<const std::byte> body) {
+  BlobReader in(body, "scanner images");
   ScannerImages::Data data;
   data.shape.surface =
       in.value<std::int32_t>() != 0 ? PositionalSpaceSurface::Sphere : PositionalSpaceSurface::Cylinder;
@@ -110,17 +57,13 @@ std::optional<ScannerImages> decode(const std::string& body) {
   data.receiverPositions = in.list<Vec3>();
   data.imageStart = in.list<std::uint32_t>();
   data.imageCells = in.list<std::uint32_t>();
-  if (!in.finished()) return std::nullopt;
-  try {
-    return ScannerImages(std::move(data));
-  } catch (const InvalidInput&) {
-    return std::nullopt;
-  }
+  in.finish();
+  return ScannerImages(std::move(data));
 }
 
-std::uint64_t checksum(const std::string& body) {
+std::uint64_t checksum(std::span<const std::byte> body) {
   ContentHash hash;
-  hash.add(std::string_view(body));
+  hash.add(body);
   return hash.value();
 }
 
@@ -151,8 +94,8 @@ std::uint64_t contentHash(const ScannerProfile& profile) {
 }
 
 void writeScannerImages(const ScannerImages& images, std::uint64_t hash, const std::string& path) {
-  const std::string body = encode(images.data());
-  Writer header;
+  const auto body = encode(images.data());
+  BlobWriter header;
   header.value(kMagic);
   header.value(kVersion);
   header.value(kByteOrder);
@@ -161,7 +104,8 @@ void writeScannerImages(const ScannerImages& images, std::uint64_t hash, const s
   const std::string unfinished = path + ".part";
   {
     std::ofstream out(unfinished, std::ios::binary | std::ios::trunc);
-    out << header.bytes() << body;
+    for (const auto* part : {&header.bytes(), &body})
+      out.write(reinterpret_cast<const char*>(part->data()), static_cast<std::streamsize>(part->size()));
     out.close();
     if (!out) {
       std::remove(unfinished.c_str());
@@ -182,16 +126,21 @@ std::optional<ScannerImages> readScannerImages(const std::string& path, std::uin
   std::ifstream in(path, std::ios::binary);
   std::ostringstream text;
   text << in.rdbuf();
-  const std::string bytes = std::move(text).str();
+  const std::string content = std::move(text).str();
+  const auto bytes = std::as_bytes(std::span(content));
   constexpr std::size_t kHeader = sizeof kMagic + 2 * sizeof kVersion + 2 * sizeof hash;
   if (!in || bytes.size() < kHeader) return std::nullopt;
-  const std::string start = bytes.substr(0, kHeader);
-  const std::string body = bytes.substr(kHeader);
-  Reader header(start);
+  BlobReader header(bytes.first(kHeader), "scanner images");
+  const auto body = bytes.subspan(kHeader);
   const bool ours = header.value<std::array<char, 8>>() == kMagic && header.value<std::uint32_t>() == kVersion &&
                     header.value<std::uint32_t>() == kByteOrder && header.value<std::uint64_t>() == hash &&
                     header.value<std::uint64_t>() == checksum(body);
-  return ours ? decode(body) : std::nullopt;
+  if (!ours) return std::nullopt;
+  try {
+    return decode(body);
+  } catch (const InvalidInput&) {
+    return std::nullopt;
+  }
 }
 
 ScannerImages loadScannerImages(const ScannerProfile& profile, const std::string& cacheDirectory,

@@ -9,8 +9,8 @@
 #include <memory>
 #include <new>
 
+#include "base/blob.h"
 #include "base/errors.h"
-#include "session/blob.h"
 
 namespace vantage {
 namespace {

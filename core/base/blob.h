@@ -1,46 +1,44 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <cstring>
 #include <span>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "base/errors.h"
-#include "geometry/vectors.h"
 
 namespace vantage {
 
-/// Writes plain values one after the other (little endian, as in memory) for a column of the session file.
+/// A value whose bytes in memory are all that it is: numbers, enums, arrays and structs of them, points.
+template <typename T>
+concept PlainValue = std::is_standard_layout_v<T> && std::is_trivially_destructible_v<T> && !std::is_pointer_v<T>;
+
+/// Writes plain values one after the other, as in memory (little endian), for files.
 class BlobWriter {
  public:
-  template <typename T>
+  template <PlainValue T>
   void value(const T& v) {
-    static_assert(std::is_trivially_copyable_v<T>);
-    const auto* bytes = reinterpret_cast<const std::byte*>(&v);
-    bytes_.insert(bytes_.end(), bytes, bytes + sizeof v);
+    append(std::as_bytes(std::span(&v, 1)));
   }
 
   /// The count, then the items.
-  template <typename T>
+  template <PlainValue T>
   void list(const std::vector<T>& items) {
-    static_assert(std::is_trivially_copyable_v<T>);
-    append(items.size(), std::as_bytes(std::span(items)));
-  }
-
-  /// As a list of three doubles each.
-  void list(const std::vector<Vec3>& points) {
-    static_assert(sizeof(Vec3) == 3 * sizeof(double));
-    append(points.size(), std::as_bytes(std::span(points)));
+    value(static_cast<std::uint64_t>(items.size()));
+    append(std::as_bytes(std::span(items)));
   }
 
   [[nodiscard]] const std::vector<std::byte>& bytes() const { return bytes_; }
 
  private:
-  void append(std::uint64_t count, std::span<const std::byte> items) {
-    value(count);
-    bytes_.insert(bytes_.end(), items.begin(), items.end());
+  void append(std::span<const std::byte> more) {
+    const std::size_t end = bytes_.size();
+    bytes_.resize(end + more.size());
+    if (!more.empty()) std::memcpy(bytes_.data() + end, more.data(), more.size());
   }
 
   std::vector<std::byte> bytes_;
@@ -52,14 +50,14 @@ class BlobReader {
  public:
   BlobReader(std::span<const std::byte> bytes, std::string what) : bytes_(bytes), what_(std::move(what)) {}
 
-  template <typename T>
+  template <PlainValue T>
   [[nodiscard]] T value() {
-    T v;
+    T v{};
     take(&v, sizeof v);
     return v;
   }
 
-  template <typename T>
+  template <PlainValue T>
   [[nodiscard]] std::vector<T> list() {
     const auto count = value<std::uint64_t>();
     if (count > (bytes_.size() - at_) / sizeof(T)) fail();
