@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include "base/log.h"
-
 namespace vantage {
 namespace {
 
@@ -16,11 +14,6 @@ TEST(Errors, AllAreCaughtAsError) {
   EXPECT_THROW(throw IoError("x", "y"), Error);
   EXPECT_THROW(throw DeviceError("x"), Error);
   EXPECT_THROW(throw Cancelled(), Error);
-}
-
-TEST(LogSink, NoneIsAlwaysTheSameAndSwallows) {
-  LogSink::none().write(LogLevel::Error, "nobody hears this");
-  EXPECT_EQ(&LogSink::none(), &LogSink::none());
 }
 
 }  // namespace
