@@ -244,8 +244,8 @@ TEST_F(SessionTest, KeepsRemarks) {
 TEST_F(SessionTest, ASecondWriterIsToldWhoHoldsItAndReadersAreNotHindered) {
   Session session = createSmallSession(path(), twoViews());
   expectError<IoError>([&] { static_cast<void>(Session::open(path(), SessionAccess::Write)); },
-                       {"test.vantage", "test_acquisition", "process " + std::to_string(getpid())});
-  expectError<IoError>([&] { static_cast<void>(createSmallSession(path(), twoViews())); }, {"test_acquisition"});
+                       {"test.vantage", "test_session", "process " + std::to_string(getpid())});
+  expectError<IoError>([&] { static_cast<void>(createSmallSession(path(), twoViews())); }, {"test_session"});
   const Session reader = reopened();
   static_cast<void>(runSmallSession(session, recordIn(session)));
   EXPECT_EQ(reader.history().size(), 1U);
