@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace vantage {
 namespace {
@@ -45,8 +44,7 @@ void ObservationRays::addColumns() {
                      &views_.front, &views_.square, &views_.normalAcross, &views_.normalUp, &views_.low, &views_.high,
                      &views_.lowUp, &views_.highUp})
     list->resize(count);
-  for (auto* list : {&columns_.keep, &columns_.matches, &views_.firstStep, &views_.lastStep, &views_.firstStepUp,
-                     &views_.lastStepUp})
+  for (auto* list : {&columns_.keep, &views_.firstStep, &views_.lastStep, &views_.firstStepUp, &views_.lastStepUp})
     list->resize(count);
 }
 
@@ -107,15 +105,13 @@ void ObservationRays::face(const ObservationSource& source, std::uint32_t index)
 }
 
 // Marks the rows of which any cell may be a candidate: the best that any of its columns can do is good enough.
-void ObservationRays::markRows(Purpose purpose) {
+void ObservationRays::markRows() {
   const Source& s = source_;
   const float limit = minCosine_ * minCosine_;
-  const float slackShare = purpose == Purpose::Middles ? 0.0F : 1.0F;
-  const auto all = static_cast<std::int32_t>(purpose != Purpose::Pruned);
   const std::size_t count = rows_.z.size();
   for (std::size_t r = 0; r < count; ++r) {
     const float rise = rows_.z[r] - s.pz;
-    const float front = rows_.axial[r] * s.normalAxial - s.inward + rise * s.nz + slackShare * rows_.slack[r];
+    const float front = rows_.axial[r] * s.normalAxial - s.inward + rise * s.nz + rows_.slack[r];
     const float beside = rows_.axial[r] - s.axial;
     const float ahead = rows_.normalAxial[r] * rows_.axial[r] + rows_.normalZ[r] * rise;
     const float nearest = std::max(ahead - rows_.normalAxial[r] * s.axial, 0.0F);
@@ -124,62 +120,41 @@ void ObservationRays::markRows(Purpose purpose) {
     const float swing = std::abs(rows_.normalZ[r]) * s.axial;
     const float highest = std::max(nearest * rows_.high[r], farthest * rows_.high[r]) + rows_.halfHeight[r];
     const float lowest = std::min(nearest * rows_.low[r], farthest * rows_.low[r]) - rows_.halfHeight[r];
-    rows_.reached[r] =
-        static_cast<std::int32_t>(front > 0.0F) &
-        static_cast<std::int32_t>(front * front >= limit * (beside * beside + rise * rise)) &
-        (all | (static_cast<std::int32_t>(up - swing <= highest) & static_cast<std::int32_t>(up + swing >= lowest)));
+    rows_.reached[r] = static_cast<std::int32_t>(front > 0.0F) &
+                       static_cast<std::int32_t>(front * front >= limit * (beside * beside + rise * rise)) &
+                       static_cast<std::int32_t>(up - swing <= highest) &
+                       static_cast<std::int32_t>(up + swing >= lowest);
   }
 }
 
 // Marks the candidates of a row: f + slack >= cos(breakdown) |d|, d from the source to the middle of the cell and
-// f = d . normal; when pruning, only those where an occupied cell has a slope up to match.
-void ObservationRays::markColumns(std::size_t r, Purpose purpose) {
+// f = d . normal, where an occupied cell has a slope up to match.
+void ObservationRays::markColumns(std::size_t r) {
   const Source& s = source_;
   const float axial = rows_.axial[r];
   const float normalAxial = rows_.normalAxial[r];
   const float normalZ = rows_.normalZ[r];
   const float halfHeight = rows_.halfHeight[r];
   const float rise = rows_.z[r] - s.pz;
-  const float front = rise * s.nz - s.inward + (purpose == Purpose::Middles ? 0.0F : rows_.slack[r]);
+  const float front = rise * s.nz - s.inward + rows_.slack[r];
   const float square = axial * axial + s.axial * s.axial + rise * rise;
   const float ahead = normalAxial * axial + normalZ * rise;
   const float up = normalAxial * rise - normalZ * axial;
   const float limit = minCosine_ * minCosine_;
-  const auto all = static_cast<std::int32_t>(purpose != Purpose::Pruned);
   const std::size_t count = columns_.cosine.size();
   const float* low = &low_[r * count];
   const float* high = &high_[r * count];
   const float* along = columns_.along.data();
   const float* normalAlong = columns_.normalAlong.data();
   std::int32_t* keep = columns_.keep.data();
-  std::int32_t* matches = columns_.matches.data();
   for (std::size_t j = 0; j < count; ++j) {
     const float f = front + axial * normalAlong[j];
     const float l2 = square - 2.0F * axial * along[j];
     const float h = ahead - normalAxial * along[j];
     const float v = up + normalZ * along[j];
-    matches[j] = static_cast<std::int32_t>(v <= h * high[j] + halfHeight) &
-                 static_cast<std::int32_t>(v >= h * low[j] - halfHeight);
     keep[j] = static_cast<std::int32_t>(f > 0.0F) & static_cast<std::int32_t>(f * f >= limit * l2) &
-              static_cast<std::int32_t>(h > kLeastDistance) & (all | matches[j]);
-  }
-}
-
-// Calls visit(row, begin, end) for each run of neighbouring candidates.
-template <typename Visit>
-void ObservationRays::forRuns(Purpose purpose, const Visit& visit) {
-  markRows(purpose);
-  const std::size_t count = columns_.cosine.size();
-  for (std::size_t row = 0; row < rows_.z.size(); ++row) {
-    if (rows_.reached[row] == 0) continue;
-    markColumns(row, purpose);
-    for (std::size_t begin = 0; begin < count; ++begin) {
-      if (columns_.keep[begin] == 0) continue;
-      std::size_t end = begin + 1;
-      while (end < count && columns_.keep[end] != 0) ++end;
-      visit(row, begin, end);
-      begin = end;
-    }
+              static_cast<std::int32_t>(h > kLeastDistance) & static_cast<std::int32_t>(v <= h * high[j] + halfHeight) &
+              static_cast<std::int32_t>(v >= h * low[j] - halfHeight);
   }
 }
 
@@ -257,21 +232,17 @@ void ObservationRays::appendRun(std::size_t row, std::size_t begin, std::size_t 
   viewRun(row, begin, end);
   findSeen(row, begin, end);
   aim(row);
-  std::size_t next = begin;
   for (std::size_t a = 0; a < aimCount_;) {
     const std::size_t column = aims_[a].column;
     const std::size_t first = a;
     while (a < aimCount_ && aims_[a].column == column) ++a;
-    if (!options_.prune) emitMiddles(row, std::exchange(next, column + 1), column, batch);
     emitAims(row, std::span(aims_).subspan(first, a - first), batch);
   }
-  if (!options_.prune) emitMiddles(row, next, end, batch);
 }
 
 void ObservationRays::findSeen(std::size_t row, std::size_t begin, std::size_t end) {
   seenCount_ = 0;
   for (std::size_t j = begin; j < end; ++j) {
-    if (columns_.matches[j] == 0) continue;
     if (seen_.size() < seenCount_ + lookup_.room()) seen_.resize(2 * (seenCount_ + lookup_.room()));
     const FanRange slopes{{views_.low[j], views_.high[j]}, {views_.lowUp[j], views_.highUp[j]}};
     seenCount_ += lookup_.findOverlapping(
@@ -352,16 +323,6 @@ std::size_t ObservationRays::emitTogether(std::size_t row, std::span<Aim> aims, 
   return left;
 }
 
-void ObservationRays::emitMiddles(std::size_t row, std::size_t begin, std::size_t end, ObservationBatch& batch) const {
-  const float limit = minCosine_ * minCosine_;
-  for (std::size_t j = begin; j < end; ++j) {
-    const float front = views_.front[j];
-    if (front <= 0.0F || front * front < limit * views_.square[j]) continue;
-    batch.observations.push_back({source_.index, 0, 0});
-    emitRay(row, j, 0.0F, 0.0F, batch);
-  }
-}
-
 // Appends the ray to a point of a surface cell.
 void ObservationRays::emitRay(std::size_t row, std::size_t column, float across, float up,
                               ObservationBatch& batch) const {
@@ -375,18 +336,19 @@ void ObservationRays::emitRay(std::size_t row, std::size_t column, float across,
 
 void ObservationRays::append(const ObservationSource& source, std::uint32_t index, ObservationBatch& batch) {
   face(source, index);
-  forRuns(options_.prune ? Purpose::Pruned : Purpose::All,
-          [&](std::size_t row, std::size_t begin, std::size_t end) { appendRun(row, begin, end, batch); });
-}
-
-std::vector<std::uint32_t> ObservationRays::candidates(const ObservationSource& source) {
-  face(source, 0);
-  std::vector<std::uint32_t> cells;
-  forRuns(Purpose::Middles, [&](std::size_t row, std::size_t begin, std::size_t end) {
-    for (std::size_t j = begin; j < end; ++j)
-      cells.push_back(static_cast<std::uint32_t>(row * columns_.cosine.size() + j));
-  });
-  return cells;
+  markRows();
+  const std::size_t count = columns_.cosine.size();
+  for (std::size_t row = 0; row < rows_.z.size(); ++row) {
+    if (rows_.reached[row] == 0) continue;
+    markColumns(row);
+    for (std::size_t begin = 0; begin < count; ++begin) {
+      if (columns_.keep[begin] == 0) continue;
+      std::size_t end = begin + 1;
+      while (end < count && columns_.keep[end] != 0) ++end;
+      appendRun(row, begin, end, batch);
+      begin = end;
+    }
+  }
 }
 
 }  // namespace vantage

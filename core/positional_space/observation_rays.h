@@ -52,12 +52,8 @@ class ObservationRays {
                   const AccumulationOptions& options);
 
   /// Appends the observation rays of a source. An observation ray is aimed at the point of the surface cell where it is
-  /// collinear with a ranging ray; it counts if it leaves within the breakdown angle there. Without pruning, the rays
-  /// through the middles of the other surface cells are appended too, with no cells.
+  /// collinear with a ranging ray; it counts if it leaves within the breakdown angle there.
   void append(const ObservationSource& source, std::uint32_t index, ObservationBatch& batch);
-
-  /// Surface cells (row-major) whose middle the source sees within the breakdown angle of its normal, ascending.
-  [[nodiscard]] std::vector<std::uint32_t> candidates(const ObservationSource& source);
 
  private:
   // What differs between rows of surface cells; the cells of a row differ by a turn about z only.
@@ -82,7 +78,6 @@ class ObservationRays {
     std::vector<float> aside;              // and sideways
     std::vector<float> normalAlong;        // of the source's normal
     std::vector<std::int32_t> keep;        // candidates of a row
-    std::vector<std::int32_t> matches;     // whether an occupied cell has a slope up to match
     std::vector<std::uint32_t> inPeriod;   // column of the period that it repeats
     std::vector<std::uint32_t> firstCell;  // number of the first cell of positional space of its period
   };
@@ -114,17 +109,11 @@ class ObservationRays {
     float across, up;
     float front, square;  // as in AimedCell
   };
-  // Which surface cells are asked for: those whose middle is within the breakdown angle, those of which any point may
-  // be, or those among the latter that have occupied cells to match.
-  enum class Purpose { Middles, All, Pruned };
-
   void addRow(std::size_t row);
   void addColumns();
   void face(const ObservationSource& source, std::uint32_t index);
-  void markRows(Purpose purpose);
-  void markColumns(std::size_t row, Purpose purpose);
-  template <typename Visit>
-  void forRuns(Purpose purpose, const Visit& visit);
+  void markRows();
+  void markColumns(std::size_t row);
   void viewRun(std::size_t row, std::size_t begin, std::size_t end);
   void viewSteps(std::size_t row, std::size_t begin, std::size_t end);
   void appendRun(std::size_t row, std::size_t begin, std::size_t end, ObservationBatch& batch);
@@ -132,7 +121,6 @@ class ObservationRays {
   void aim(std::size_t row);
   void emitAims(std::size_t row, std::span<Aim> aims, ObservationBatch& batch) const;
   [[nodiscard]] std::size_t emitTogether(std::size_t row, std::span<Aim> aims, ObservationBatch& batch) const;
-  void emitMiddles(std::size_t row, std::size_t begin, std::size_t end, ObservationBatch& batch) const;
   void emitRay(std::size_t row, std::size_t column, float across, float up, ObservationBatch& batch) const;
 
   const ScannerImages& scanner_;

@@ -67,7 +67,7 @@ class Accumulator {
     image.observationRays += batch_.rays.size();
     pending_.clear();
     for (std::size_t k = 0; k < batch_.rays.size(); ++k) {
-      if (batch_.rays[k].blocked() || batch_.observations[k].count == 0) continue;
+      if (batch_.rays[k].blocked()) continue;
       if (scanner_.triangulates())
         pending_.push_back(batch_.observations[k]);
       else
@@ -216,29 +216,6 @@ PositionalImage accumulate(std::span<const ObservationSource> sources, const Ray
   }
   if (options.keepSightings) appendSightings(sightings, sources.size(), image);
   return image;
-}
-
-std::vector<ObservationSource> sourcesOf(const Mesh& mesh) {
-  std::vector<ObservationSource> sources;
-  sources.reserve(mesh.triangles.size());
-  for (const Triangle& t : mesh.triangles) {
-    const Vec3 doubled = areaVector(mesh, t);
-    const double norm = doubled.norm();
-    const bool degenerate = !(norm > 0.0);
-    sources.push_back({triangleCentre(mesh, t), degenerate ? Vec3(Vec3::UnitZ()) : Vec3(doubled / norm), 0.5 * norm});
-  }
-  return sources;
-}
-
-std::vector<double> sumOverDirections(const PositionalImage& image, const ScannerImages& scanner) {
-  std::vector<double> sums(scanner.grid().surfaceCells().size(), 0.0);
-  const auto columns = static_cast<std::size_t>(scanner.grid().columns());
-  for (std::uint32_t k = 0; k < image.sums.size(); ++k) {
-    if (image.sums[k] == 0) continue;
-    const PositionalCell cell = scanner.cell(k);
-    sums[static_cast<std::size_t>(cell.row) * columns + static_cast<std::size_t>(cell.column)] += image.at(k);
-  }
-  return sums;
 }
 
 }  // namespace vantage

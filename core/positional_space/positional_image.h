@@ -48,7 +48,6 @@ struct PositionalImage {
 
 struct AccumulationOptions {
   bool keepSightings = false;   ///< remember which source was seen in which cell
-  bool prune = true;            ///< leave out rays that no ranging ray can ever be collinear with before tracing them
   double surfaceOffset = 0.05;  ///< [mm] observation rays begin this far in front of their source
 };
 
@@ -73,11 +72,5 @@ struct AccumulationOptions {
 [[nodiscard]] PositionalImage accumulate(std::span<const ObservationSource> sources, const RayCaster& obstacles,
                                          const ScannerImages& scanner, double breakdownAngle,
                                          const AccumulationOptions& options = {}, const Progress& progress = {});
-
-/// One source per triangle: centre, normal and area. Degenerate triangles have weight 0.
-[[nodiscard]] std::vector<ObservationSource> sourcesOf(const Mesh& mesh);
-
-/// Sum of an image over the directions of each surface cell, row-major [mm^2] (Pito 1999, figures 15 and 16).
-[[nodiscard]] std::vector<double> sumOverDirections(const PositionalImage& image, const ScannerImages& scanner);
 
 }  // namespace vantage

@@ -14,6 +14,7 @@
 #include "positional_space/objective_sums.h"
 #include "positional_space/observation_rays.h"
 #include "positional_space/positional_image.h"
+#include "support/scenes/small_profiles.h"
 
 using namespace vantage;
 
@@ -105,16 +106,16 @@ void traceRaw(const std::vector<OcclusionRay>& rays, const RayCaster& obstacles,
 }
 
 void compareWithRaw(const char* name, const ScannerImages& images, const std::vector<ObservationSource>& sources,
-                    const RayCaster& obstacles, const AccumulationOptions& options) {
+                    const RayCaster& obstacles) {
   ObservationBatch batch;
   const CellLookup lookup(images);
-  ObservationRays generator(images, lookup, kBreakdown, options);
+  ObservationRays generator(images, lookup, kBreakdown, {});
   for (std::size_t s = 0; s < sources.size(); ++s) generator.append(sources[s], static_cast<std::uint32_t>(s), batch);
   const double rays = static_cast<double>(batch.rays.size());
   for (const int threads : {1, 2}) {
     const Progress progress(nullptr, {}, threads);
     const auto t = medians({[&] { traceRaw(batch.rays, obstacles, progress); },
-                            [&] { (void)accumulate(sources, obstacles, images, kBreakdown, options, progress); }});
+                            [&] { (void)accumulate(sources, obstacles, images, kBreakdown, {}, progress); }});
     std::printf("%-28s threads %d  rays/source %6.1f  raw %6.2f Mrays/s  accumulation %6.2f Mrays/s  share %.3f\n",
                 name, threads, rays / static_cast<double>(sources.size()), rays / t[0] / 1e6, rays / t[1] / 1e6,
                 t[0] / t[1]);
@@ -126,18 +127,15 @@ void compareWithRaw(const char* name, const ScannerImages& images, const std::ve
 int main() {
   const Mesh knot = makeKnot(500, 30);
   const RayCaster obstacles(knot);
-  const std::vector<ObservationSource> all = sourcesOf(knot);
+  const std::vector<ObservationSource> all = vantage::testing::sourcesOf(knot);
   std::vector<ObservationSource> some;
   for (std::size_t s = 0; s < all.size(); s += 5) some.push_back(all[s]);
   std::printf("model of %zu triangles\n", knot.triangles.size());
 
   const ScannerImages stripe = computeScannerImages(profile(kStripe + kNoReceivers, kTurntable90));
   const ScannerImages tilts = computeScannerImages(profile(kCamera + kNoReceivers, kTilts));
-  AccumulationOptions unpruned;
-  unpruned.prune = false;
-  compareWithRaw("stripe, pruned", stripe, all, obstacles, {});
-  compareWithRaw("stripe, whole cones", stripe, some, obstacles, unpruned);
-  compareWithRaw("camera with tilts, pruned", tilts, some, obstacles, {});
+  compareWithRaw("stripe", stripe, all, obstacles);
+  compareWithRaw("camera with tilts", tilts, some, obstacles);
 
   const ScannerImages few = computeScannerImages(profile(kStripe + kReceiver, kTurntable90));
   const ScannerImages many = computeScannerImages(profile(kStripe + kReceiver, kTurntable900));

@@ -7,8 +7,8 @@
 #include <optional>
 
 #include "base/errors.h"
-#include "small_profiles.h"
 #include "support/meshes.h"
+#include "support/scenes/small_profiles.h"
 
 namespace vantage {
 namespace {
@@ -110,7 +110,7 @@ TEST(ObjectiveSums, AgreeWithVisibilityTestedForEveryPosition) {
   std::erase_if(half.triangles, [&](const Triangle& t) { return triangleCentre(half, t).x() < 0.0; });
   const Mesh model = testing::joined(half, testing::makeSphere(25.0, 12, Vec3(105, 20, 160)));
   const RayCaster obstacles(model);
-  const auto sources = sourcesOf(model);
+  const auto sources = testing::sourcesOf(model);
   for (const ScannerProfile& profile : testing::everyKind()) {
     const ScannerImages images = computeScannerImages(profile);
     const auto sums = intersect(accumulate(sources, obstacles, images, kBreakdown), images);

@@ -4,7 +4,7 @@
 
 #include "base/errors.h"
 #include "base/random.h"
-#include "small_profiles.h"
+#include "support/scenes/small_profiles.h"
 
 namespace vantage {
 namespace {

@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "base/errors.h"
-#include "small_profiles.h"
+#include "support/scenes/small_profiles.h"
 
 namespace vantage {
 namespace {

@@ -8,7 +8,7 @@
 #include <tuple>
 
 #include "base/errors.h"
-#include "small_profiles.h"
+#include "support/scenes/small_profiles.h"
 
 namespace vantage {
 namespace {

@@ -1,4 +1,4 @@
-#include "small_profiles.h"
+#include "support/scenes/small_profiles.h"
 
 #include <sstream>
 
@@ -80,6 +80,16 @@ std::vector<ObservationSource> scatteredSources(int count, double radius, double
     source.normal = Vec3(random.normal(), random.normal(), 0.5 * random.normal()).normalized();
     source.weight = 0.5 + random.uniform();
     sources.push_back(source);
+  }
+  return sources;
+}
+
+std::vector<ObservationSource> sourcesOf(const Mesh& mesh) {
+  std::vector<ObservationSource> sources;
+  for (const Triangle& t : mesh.triangles) {
+    const Vec3 normal = triangleNormal(mesh, t);
+    const bool degenerate = normal.isZero(0.0);
+    sources.push_back({triangleCentre(mesh, t), degenerate ? Vec3(Vec3::UnitZ()) : normal, triangleArea(mesh, t)});
   }
   return sources;
 }

@@ -24,4 +24,7 @@ namespace vantage::testing {
 [[nodiscard]] std::vector<ObservationSource> scatteredSources(int count, double radius = 110.0,
                                                               double halfHeight = 90.0);
 
+/// One source per triangle: centre, normal and area. Degenerate triangles have weight 0.
+[[nodiscard]] std::vector<ObservationSource> sourcesOf(const Mesh& mesh);
+
 }  // namespace vantage::testing
