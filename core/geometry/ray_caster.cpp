@@ -1,7 +1,9 @@
 #include "geometry/ray_caster.h"
 
 #include <embree3/rtcore.h>
+#if defined(__SSE__)
 #include <xmmintrin.h>
+#endif
 
 #include <algorithm>
 #include <cmath>
@@ -19,16 +21,31 @@ static_assert(offsetof(OcclusionRay, directionX) == offsetof(RTCRay, dir_x));
 static_assert(offsetof(OcclusionRay, far) == offsetof(RTCRay, tfar));
 static_assert(offsetof(OcclusionRay, mask) == offsetof(RTCRay, mask));
 
-// Embree wants denormals flushed; the caller's mode comes back afterwards.
+// Embree wants denormals flushed for speed; the caller's mode comes back afterwards. Where a machine has no such mode
+// that we know of, rays are traced in the caller's.
 class FlushDenormals {
  public:
-  FlushDenormals() : saved_(_mm_getcsr()) { _mm_setcsr(saved_ | 0x8040U); }
-  ~FlushDenormals() { _mm_setcsr(saved_); }
+  FlushDenormals() { set(saved_ | 0x8040U); }
+  ~FlushDenormals() { set(saved_); }
   FlushDenormals(const FlushDenormals&) = delete;
   FlushDenormals& operator=(const FlushDenormals&) = delete;
 
  private:
-  unsigned saved_;
+#if defined(__SSE__)
+  static unsigned mode() {
+    return _mm_getcsr();
+  }
+  static void set(unsigned mode) {
+    _mm_setcsr(mode);
+  }
+#else
+  static unsigned mode() {
+    return 0;
+  }
+  static void set(unsigned /*mode*/) {}
+#endif
+
+  unsigned saved_ = mode();
 };
 
 struct Release {

@@ -10,7 +10,7 @@ constexpr float kAnySlope = 1e9F;
 
 }  // namespace
 
-CellLookup::CellLookup(const ScannerImages& scanner) {
+CellLookup::CellLookup(const ScannerImages& scanner, Lanes lanes) : lanes_(lanes) {
   const ScannerImages::Data& data = scanner.data();
   const int columns = data.shape.columns / data.periods;
   std::vector<std::uint32_t> order(data.cells.size());
@@ -27,7 +27,7 @@ CellLookup::CellLookup(const ScannerImages& scanner) {
     addList(begin, end);
   }
   for (auto* list : {&reach_.lowAcross, &reach_.highAcross, &reach_.lowUp, &reach_.highUp})
-    list->resize(cells_.size() + kLanes);
+    list->resize(cells_.size() + kFanLanes);
 }
 
 void CellLookup::addCell(const ScannerImages::Data& data, const SurfaceCell& surface, std::uint32_t number) {
@@ -62,10 +62,10 @@ void CellLookup::addList(std::uint32_t begin, std::uint32_t end) {
   }
   if (begin < end) {
     list.firstUp = stepUp(begin);
-    list.lastUp = stepUp(end - 1);
+    list.endUp = stepUp(end - 1) + 1;
   }
   std::uint32_t first = begin;
-  for (int step = list.firstUp; step <= list.lastUp; ++step) {
+  for (int step = list.firstUp; step < list.endUp; ++step) {
     std::uint32_t last = first;
     while (last < end && stepUp(last) == step) ++last;
     addSteps(first, last);

@@ -1,27 +1,15 @@
 #pragma once
 
-#include <emmintrin.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
 #include <vector>
 
+#include "positional_space/fan_overlap.h"
 #include "positional_space/scanner_images.h"
 
 namespace vantage {
-
-struct SlopeRange {
-  float low;
-  float high;
-};
-
-/// Slopes across and up under which something is seen through a surface cell.
-struct FanRange {
-  SlopeRange across;
-  SlopeRange up;
-};
 
 /// An occupied cell with all that tells whether a source is seen through it: one line of the cache.
 struct alignas(64) FannedCell {
@@ -51,7 +39,13 @@ class CellLookup {
   static constexpr int kStepsUp = 8;
   static constexpr int kStepsAcross = 64;
 
-  explicit CellLookup(const ScannerImages& scanner);
+  /// Which instructions find the overlapping cells; what is found is the same.
+  enum class Lanes : std::uint8_t {
+    Fast,      ///< those of this machine
+    Portable,  ///< those of any
+  };
+
+  explicit CellLookup(const ScannerImages& scanner, Lanes lanes = Lanes::Fast);
 
   /// All slopes on (-1, 1): slope / (1 + |slope|), which is cheap and makes fans about equally wide.
   [[nodiscard]] static float folded(float slope) { return slope / (1.0F + std::abs(slope)); }
@@ -67,13 +61,13 @@ class CellLookup {
 
   /// Steps of the slopes up that are in use in a surface cell; none when it has no occupied cells.
   [[nodiscard]] StepRange stepsUp(std::size_t surfaceCell) const {
-    return {lists_[surfaceCell].firstUp, lists_[surfaceCell].lastUp};
+    return {lists_[surfaceCell].firstUp, lists_[surfaceCell].endUp - 1};
   }
   /// By how much of a folded slope up the fans of a surface cell reach beyond their middle.
   [[nodiscard]] float margin(std::size_t surfaceCell) const { return lists_[surfaceCell].margin; }
 
   /// How many places `findOverlapping` may write to.
-  [[nodiscard]] std::size_t room() const { return longest_ + kLanes; }
+  [[nodiscard]] std::size_t room() const { return longest_ + kFanLanes; }
 
   /// Writes the occupied cells of a surface cell whose fan overlaps `seen` to `found`, with the column.
   /// @param across steps of the folded seen.across
@@ -81,25 +75,35 @@ class CellLookup {
   /// @return how many.
   std::size_t findOverlapping(std::size_t surfaceCell, const FanRange& seen, StepRange across, StepRange up,
                               std::uint32_t column, SeenCell* found) const {
+    return lanes_ == Lanes::Fast ? find(FastFanOverlap(seen), surfaceCell, across, up, column, found)
+                                 : find(PortableFanOverlap(seen), surfaceCell, across, up, column, found);
+  }
+
+  [[nodiscard]] const FannedCell& cell(std::uint32_t place) const { return cells_[place]; }
+
+ private:
+  struct List {
+    int firstUp = 0;  // steps of the slopes up that are in use: firstUp to endUp - 1
+    int endUp = 0;
+    float margin = 0.0F;    // of the folded slopes up, by which fans reach beyond their middle
+    std::size_t start = 0;  // of its steps in steps_
+    SlopeRange all{};
+  };
+
+  template <typename Overlap>
+  std::size_t find(const Overlap& overlaps, std::size_t surfaceCell, StepRange across, StepRange up,
+                   std::uint32_t column, SeenCell* found) const {
     const List& list = lists_[surfaceCell];
-    const __m128 lowAcross = _mm_set1_ps(seen.across.low);
-    const __m128 highAcross = _mm_set1_ps(seen.across.high);
-    const __m128 lowUp = _mm_set1_ps(seen.up.low);
-    const __m128 highUp = _mm_set1_ps(seen.up.high);
     std::size_t count = 0;
     for (int step = up.first; step <= up.last; ++step) {
       const auto* ranges = &steps_[list.start + static_cast<std::size_t>((step - list.firstUp) * kStepsAcross)];
       const std::uint32_t end = ranges[across.last][1];
-      for (std::uint32_t k = ranges[across.first][0]; k < end; k += kLanes) {
-        const __m128 overAcross = _mm_and_ps(_mm_cmpge_ps(_mm_loadu_ps(&reach_.highAcross[k]), lowAcross),
-                                             _mm_cmple_ps(_mm_loadu_ps(&reach_.lowAcross[k]), highAcross));
-        const __m128 overUp = _mm_and_ps(_mm_cmpge_ps(_mm_loadu_ps(&reach_.highUp[k]), lowUp),
-                                         _mm_cmple_ps(_mm_loadu_ps(&reach_.lowUp[k]), highUp));
-        unsigned overlap = static_cast<unsigned>(_mm_movemask_ps(_mm_and_ps(overAcross, overUp)));
+      for (std::uint32_t k = ranges[across.first][0]; k < end; k += kFanLanes) {
+        unsigned overlap = overlaps(reach_, k);
         // Those of the next step.
-        overlap &= 0xfU >> (kLanes - std::min(kLanes, end - k));
+        overlap &= 0xfU >> (kFanLanes - std::min(kFanLanes, end - k));
         // Counted rather than branched on: which cells overlap cannot be predicted.
-        for (std::uint32_t lane = 0; lane < kLanes; ++lane) {
+        for (std::uint32_t lane = 0; lane < kFanLanes; ++lane) {
           found[count] = {column, k + lane};
           count += overlap >> lane & 1U;
         }
@@ -108,30 +112,13 @@ class CellLookup {
     return count;
   }
 
-  [[nodiscard]] const FannedCell& cell(std::uint32_t place) const { return cells_[place]; }
-
- private:
-  struct List {
-    int firstUp = 0;  // steps of the slopes up that are in use
-    int lastUp = -1;
-    float margin = 0.0F;    // of the folded slopes up, by which fans reach beyond their middle
-    std::size_t start = 0;  // of its steps in steps_
-    SlopeRange all{};
-  };
-
-  static constexpr std::uint32_t kLanes = 4;
-
-  // Slopes that the ranging rays of a cell have, fanned over the surface cell; kLanes more than there are cells.
-  struct Reach {
-    std::vector<float> lowAcross, highAcross, lowUp, highUp;
-  };
-
   void addCell(const ScannerImages::Data& data, const SurfaceCell& surface, std::uint32_t number);
   void addList(std::uint32_t begin, std::uint32_t end);
   void addSteps(std::uint32_t first, std::uint32_t last);
 
+  Lanes lanes_;
   std::vector<FannedCell> cells_;  // by surface cell, step of the slope up, slope across
-  Reach reach_;                    // likewise
+  FanReach reach_;                 // likewise; kFanLanes more than there are cells
   std::vector<List> lists_;        // per surface cell
   std::size_t longest_ = 0;
   // Per step up and step across where in cells_ those cells begin and end whose fan reaches into the step.

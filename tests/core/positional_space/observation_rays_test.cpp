@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <map>
 
 #include "support/scenes/small_profiles.h"
@@ -76,6 +77,22 @@ TEST(ObservationRays, ListEveryCellThatASourceMeetsAndNoOther) {
       }
     }
     EXPECT_GT(compared, 500U) << profile.type;
+  }
+}
+
+TEST(ObservationRays, AreTheSameBytesWithTheInstructionsOfAnyMachine) {
+  const auto sources = testing::scatteredSources(200);
+  for (const ScannerProfile& profile : testing::everyKind()) {
+    const ScannerImages images = computeScannerImages(profile);
+    const ObservationBatch fast = listed(images, CellLookup(images), sources);
+    const ObservationBatch portable = listed(images, CellLookup(images, CellLookup::Lanes::Portable), sources);
+    ASSERT_GT(fast.rays.size(), 1000U);
+    const auto same = [](const auto& a, const auto& b) {
+      return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof a[0]) == 0;
+    };
+    EXPECT_TRUE(same(fast.rays, portable.rays));
+    EXPECT_TRUE(same(fast.observations, portable.observations));
+    EXPECT_TRUE(same(fast.cells, portable.cells));
   }
 }
 
