@@ -26,9 +26,11 @@ TEST(TestTurn, MeasuresTheTurnThatAPerfectTableMakes) {
 
 TEST(TestTurn, FindsTheErrorThatTheMechanicsMade) {
   const auto profile = testing::smallProfile();
-  SimulatedScanner scanner(testing::smallObject(), profile, {7, false});
+  const SimulationOptions options{7, false};
+  SimulatedScanner scanner(testing::smallObject(), profile, options);
   const TestTurn result = testTurn(scanner, *profile, 0, 1, {});
-  const Pose truth = scanner.mechanicalError(1) * scanner.mechanicalError(0).inverse();
+  const SimulatedTable table(profile, options);
+  const Pose truth = table.mechanicalError(1) * table.mechanicalError(0).inverse();
   const double error = std::atan2(truth.linear()(1, 0), truth.linear()(0, 0));
   // The scans are about 3 mm apart and register to a fraction of that.
   EXPECT_NEAR(result.measured - result.expected, error, radians(0.15));

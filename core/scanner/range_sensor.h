@@ -1,0 +1,17 @@
+#pragma once
+
+#include "scanner/device.h"
+#include "scanner/range_image.h"
+
+namespace vantage {
+
+/// What measures distances: it takes range images and moves nothing.
+class RangeSensor : public Device {
+ public:
+  /// One range image of what stands before it now, in scanner coordinates: its rays and a distance for each. Where it
+  /// was taken from is for who moves the table to say (see scanFrom): pose and station are those of an empty image.
+  /// @throws DeviceError that says what the operator can do about it, also when it is not ready; Cancelled
+  [[nodiscard]] virtual RangeImage capture(const Progress& progress) = 0;
+};
+
+}  // namespace vantage
