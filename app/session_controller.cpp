@@ -10,6 +10,7 @@
 #include "io/mesh_writer.h"
 #include "session/kept_scans.h"
 #include "session_start.h"
+#include "wording.h"
 
 namespace vantage {
 namespace {
@@ -26,7 +27,7 @@ QString pageOf(const Session& session, const AcquisitionState& state) {
 
 Moment momentOf(const HistoryEntry& entry, bool undone) {
   Moment moment;
-  moment.text = QString::fromStdString(describe(entry.command));
+  moment.text = commandText(entry.command);
   moment.views = static_cast<int>(entry.outline->views.size());
   moment.undone = undone;
   const auto* added = std::get_if<AddScan>(&entry.command);

@@ -4,6 +4,8 @@
 #include <QLocale>
 #include <cmath>
 
+#include "wording.h"
+
 namespace vantage {
 namespace {
 
@@ -46,18 +48,15 @@ void addRegistration(WhyCard& card, const Explanation& why) {
   const QString sigma =
       std::isfinite(*why.poseSigma) ? figureText(*why.poseSigma, 3) + Text::tr(" mm") : Text::tr("unbounded");
   card.figures.push_back(
-      {Text::tr("Registration error"), sigma, Text::tr("weakest: %1").arg(QString::fromStdString(why.weakDirection))});
+      {Text::tr("Registration error"), sigma, Text::tr("weakest: %1").arg(weakMotionsText(why.weakMotions))});
 }
 
 void addPatches(WhyCard& card, const Explanation& why) {
   if (why.patches == 0) return;
-  const char* const names[kEdgeClasses] = {
-      QT_TRANSLATE_NOOP("WhyCard", "outer jumps"), QT_TRANSLATE_NOOP("WhyCard", "inner jumps"),
-      QT_TRANSLATE_NOOP("WhyCard", "line-of-sight jumps"), QT_TRANSLATE_NOOP("WhyCard", "regular"),
-      QT_TRANSLATE_NOOP("WhyCard", "rim")};
   QStringList parts;
   for (std::size_t i = 0; i < kEdgeClasses; ++i)
-    if (why.patchesByClass[i] > 0) parts << QStringLiteral("%1 %2").arg(why.patchesByClass[i]).arg(Text::tr(names[i]));
+    if (why.patchesByClass[i] > 0)
+      parts << QStringLiteral("%1 %2").arg(why.patchesByClass[i]).arg(edgeClassText(static_cast<EdgeClass>(i)));
   card.figures.push_back(
       {Text::tr("Void patches it wins"), QString::number(why.patches), parts.join(QStringLiteral(", "))});
 }

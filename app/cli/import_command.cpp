@@ -8,6 +8,7 @@
 #include "io/range_files.h"
 #include "io/scan_poses.h"
 #include "report/report.h"
+#include "report/wording.h"
 #include "session/session.h"
 
 namespace vantage {
@@ -45,7 +46,8 @@ nlohmann::ordered_json importJson(const ImportArguments& args, const ImportResul
     const ViewAlignment& a = result.alignment[i];
     json["scans"].push_back({{"file", args.files[i]},
                              {"verdict", name(a.verdict)},
-                             {"reason", a.reason},
+                             {"reason", describe(a.finding)},
+                             {"reason_code", name(a.finding.reason)},
                              {"rms_mm", a.rms},
                              {"inliers", a.inlierShare}});
   }

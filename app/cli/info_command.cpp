@@ -3,6 +3,7 @@
 #include "cli/command.h"
 #include "cli/open_session.h"
 #include "io/file_info.h"
+#include "report/wording.h"
 
 namespace vantage {
 namespace {

@@ -10,6 +10,7 @@
 #include "planning/choice.h"
 #include "positional_space/scanner_images_cache.h"
 #include "report/report.h"
+#include "report/wording.h"
 
 namespace vantage {
 namespace {
@@ -26,7 +27,7 @@ std::string scoreText(const PositionScore& s) {
   if (s.constraint == Constraint::BelowThreshold || s.constraint == Constraint::OverlapShort)
     text += ", short by " + number(s.shortBy, 1) + " mm2";
   if (s.constraint == Constraint::PoseUncertain) text += ", short by " + number(s.shortBy, 2) + " mm";
-  if (s.poseSigma) text += "; worst " + s.weakDirection + ", " + number(*s.poseSigma, 3) + " mm";
+  if (s.poseSigma) text += "; worst " + describe(s.weakMotions) + ", " + number(*s.poseSigma, 3) + " mm";
   return text + "\n";
 }
 

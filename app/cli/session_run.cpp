@@ -14,6 +14,7 @@
 #include "planning/choice.h"
 #include "positional_space/scanner_images_cache.h"
 #include "report/report.h"
+#include "report/wording.h"
 #include "scanner/simulated_scanner.h"
 #include "session/kept_scans.h"
 
@@ -47,7 +48,7 @@ std::string scanLine(const AcquisitionState& before, const AcquisitionState& aft
   if (after.rejected.size() <= before.rejected.size()) return viewLine(after);
   const RejectedScan& scan = after.rejected.back();
   return "scan at position " + std::to_string(scan.image->position) +
-         " was not integrated: registration failed: " + scan.registration.reason;
+         " was not integrated: registration failed: " + describe(scan.registration.finding);
 }
 
 SessionRun::SessionRun(Session& session, std::string out, CommandContext& context)

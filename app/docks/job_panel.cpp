@@ -13,6 +13,8 @@ QString stepText(const QString& step) {
   static constexpr std::pair<const char*, const char*> kTexts[] = {
       {"scan", QT_TRANSLATE_NOOP("JobPanel", "scanning")},
       {"register", QT_TRANSLATE_NOOP("JobPanel", "registering")},
+      {"prepare_views", QT_TRANSLATE_NOOP("JobPanel", "preparing the views")},
+      {"refine", QT_TRANSLATE_NOOP("JobPanel", "refining all views")},
       {"integrate", QT_TRANSLATE_NOOP("JobPanel", "merging")},
       {"void_patches", QT_TRANSLATE_NOOP("JobPanel", "finding what is unseen")},
       {"project_void", QT_TRANSLATE_NOOP("JobPanel", "projecting what is unseen")},

@@ -7,6 +7,7 @@
 
 #include "form_parts.h"
 #include "why_card.h"
+#include "wording.h"
 
 namespace vantage {
 namespace {
@@ -79,13 +80,7 @@ void ReviewPage::refresh() {
     reason_->setText(tr("Nothing has been scanned yet."));
     return;
   }
-  const std::array<QString, 6> reasons{tr("The acquisition is not ended yet."),
-                                       tr("Ended: no position would show more than is worth a scan."),
-                                       tr("Ended: what is left overlaps the model too little from every position."),
-                                       tr("Ended: the greatest number of views was taken."),
-                                       tr("Ended: scans could not be registered."),
-                                       tr("Ended by you.")};
-  reason_->setText(reasons.at(static_cast<std::size_t>(now->termination)));
+  reason_->setText(terminationText(now->termination));
   double area = 0.0;
   for (const ViewRecord& record : now->records) area += record.newArea;
   figures_->add(tr("Views"), QString::number(now->views.size()));
@@ -99,14 +94,6 @@ void ReviewPage::refresh() {
 void ReviewPage::refreshLeft(const AcquisitionState& state) {
   const auto plan = currentPlan(state);
   if (!plan || !plan->voids || plan->outlook.size() != plan->voids->patches.size()) return;
-  // The reasons are only looked for once nothing is worth a scan any more.
-  const bool goesOn = plan->outcome == PlanOutcome::Found;
-  const std::array<QString, kEdgeReasons> texts{tr("No ray reaches it"),
-                                                tr("Too steep from everywhere"),
-                                                tr("Light always blocked"),
-                                                tr("Receiver always blocked"),
-                                                goesOn ? tr("Not scanned yet") : tr("Too little to be worth it"),
-                                                tr("Looked at, no surface")};
   std::array<double, kEdgeReasons> lengths{};
   std::array<int, kEdgeReasons> edges{};
   for (std::size_t p = 0; p < plan->outlook.size(); ++p) {
@@ -115,7 +102,9 @@ void ReviewPage::refreshLeft(const AcquisitionState& state) {
     ++edges[reason];
   }
   for (std::size_t i = 0; i < lengths.size(); ++i)
-    if (edges[i] > 0) left_->add(texts[i], tr("%1 mm of edge").arg(figureText(lengths[i])));
+    if (edges[i] > 0)
+      left_->add(edgeReasonText(static_cast<EdgeReason>(i), plan->outcome),
+                 tr("%1 mm of edge").arg(figureText(lengths[i])));
   if (plan->voids->patches.empty()) left_->add(tr("Nothing: the surface is closed."), {});
 }
 

@@ -25,7 +25,7 @@ ScanStep scanOnce(const AcquisitionState& state, const ScanSource& scans, const 
     throw InvalidInput("there is nothing left to scan: the acquisition has ended (" +
                        std::string(name(next.termination)) + ")");
   PhaseTimer timer;
-  const NumberedScan scan = scans(next.position, timer.watch(progress).part(0.0, 0.1, "scan"));
+  const NumberedScan scan = scans(next.position, timer.watch(progress).part(0.0, 0.1, name(Phase::Scan)));
   const PhaseTimes scanning = timer.finish();
 
   ScanStep step{AddScan{scan.number, next.predicted}, {}};

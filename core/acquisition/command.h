@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <optional>
-#include <string>
 #include <string_view>
 #include <variant>
 #include <vector>
@@ -54,8 +53,5 @@ using Command =
 
 /// "change_settings", "add_scan", ...: how the session file names a command's kind.
 [[nodiscard]] std::string_view kindOf(const Command& command);
-
-/// One line for a time line: "Scan 3 added".
-[[nodiscard]] std::string describe(const Command& command);
 
 }  // namespace vantage

@@ -29,7 +29,7 @@ ViewRecord recordOf(std::int64_t scan, const View& view, const ViewAlignment& al
   record.triangles = view.mesh->mesh.triangles.size();
   record.registration.T_object_scanner = view.T_object_scanner;
   record.registration.verdict = alignment.verdict;
-  record.registration.reason = alignment.reason;
+  record.registration.finding = alignment.finding;
   record.registration.rms = alignment.rms;
   record.registration.inlierShare = alignment.inlierShare;
   return record;
@@ -69,7 +69,7 @@ ImportOptions importOptionsFor(const AcquisitionState& state) {
 ImportResult importScans(const std::vector<NumberedScan>& scans, const ImportOptions& options,
                          const Progress& progress) {
   if (scans.empty()) throw InvalidInput("nothing to import: expected at least one range image");
-  const Progress registering = progress.part(0.0, 0.6, "register");
+  const Progress registering = progress.part(0.0, 0.6, name(Phase::Register));
   std::vector<View> views = makeViews(scans, options.triangulation, registering.part(0.0, 0.1));
   if (views.front().mesh->mesh.empty())
     throw InvalidInput("the first range image has no surface to register the others with");
@@ -79,13 +79,13 @@ ImportResult importScans(const std::vector<NumberedScan>& scans, const ImportOpt
   result.alignment = alignment.views;
   result.state = placedViews(scans, std::move(views), alignment);
 
-  const Progress integrating = progress.part(0.6, 0.9, "integrate");
+  const Progress integrating = progress.part(0.6, 0.9, name(Phase::Integrate));
   Integration integration = zipper(result.state.views, options.zipper, integrating.part(0.0, 0.8));
   result.zippering = integration.statistics;
   result.state.model = std::make_shared<const Model>(
       applyConsensus(integration.model, result.state.views, options.consensus, integrating.part(0.8, 1.0)));
   result.voids = buildVoidPatches(*result.state.model, result.state.views, options.voidSpace,
-                                  progress.part(0.9, 1.0, "void_patches"));
+                                  progress.part(0.9, 1.0, name(Phase::VoidPatches)));
   result.state.termination = Termination::Finished;
   return result;
 }

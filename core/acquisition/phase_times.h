@@ -1,20 +1,33 @@
 #pragma once
 
 #include <chrono>
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <mutex>
-#include <string>
+#include <optional>
+#include <string_view>
 
 #include "base/progress.h"
 
 namespace vantage {
 
-/// Seconds per phase of one step, by the names of the phases (Pito 1999, Table 2). For reports only: no result depends
-/// on it.
-using PhaseTimes = std::map<std::string, double>;
+/// What a scan goes through (Pito 1999, Table 2), in the order in which a step runs it.
+enum class Phase : std::uint8_t { Scan, Register, Integrate, VoidPatches, ProjectVoid, ProjectSeen, Choose };
+inline constexpr int kPhases = 7;
 
-/// Measures how long the named parts of a progress run. A phase lasts from its first report to that of the next.
+/// "scan", "register", "integrate", "void_patches", "project_void", "project_seen", "choose": also the names of the
+/// steps that progress reports.
+[[nodiscard]] std::string_view name(Phase phase);
+
+/// The phase of that name, if there is one.
+[[nodiscard]] std::optional<Phase> phaseNamed(std::string_view code);
+
+/// Seconds per phase of one step. For reports only: no result depends on it.
+using PhaseTimes = std::map<Phase, double>;
+
+/// Measures how long the phases of a progress run. A phase lasts from the first report of its name to that of the next;
+/// steps of other names are parts of the phase that they interrupt.
 class PhaseTimer {
  public:
   PhaseTimer();

@@ -18,7 +18,7 @@ RegistrationResult firstRegistration(const Pose& T_object_scanner) {
   RegistrationResult result;
   result.T_object_scanner = T_object_scanner;
   result.verdict = Verdict::Good;
-  result.reason = "the first view defines the frame";
+  result.finding.reason = VerdictReason::FirstView;
   result.inlierShare = 1.0;
   return result;
 }
@@ -82,7 +82,7 @@ Pose expectedPose(const AcquisitionState& state, const RangeImage& image) {
 
 AcquisitionState addScan(const AcquisitionState& state, const NumberedScan& scan,
                          std::optional<PositionScore> predicted, const StepOptions& options, const Progress& progress) {
-  const Progress registering = progress.part(0.0, 0.5, "register");
+  const Progress registering = progress.part(0.0, 0.5, name(Phase::Register));
   registering.checkpoint(0.0);
   View view;
   view.image = scan.image;
@@ -106,7 +106,7 @@ AcquisitionState addScan(const AcquisitionState& state, const NumberedScan& scan
   scans.push_back(scan.number);
   refine(next.views, scans, options, registering.part(0.7, 1.0));
 
-  const Progress integrating = progress.part(0.5, 1.0, "integrate");
+  const Progress integrating = progress.part(0.5, 1.0, name(Phase::Integrate));
   const Model before = state.model ? reposed(*state.model, next.views) : Model{};
   const auto added = static_cast<std::uint32_t>(next.views.size() - 1);
   const Integration integration = integrateView(before, next.views, added, options.zipper, integrating.part(0.0, 0.6));
@@ -128,9 +128,9 @@ AcquisitionState addScan(const AcquisitionState& state, const NumberedScan& scan
 
 std::shared_ptr<const Model> integrateViews(const std::vector<View>& views, const StepOptions& options,
                                             const Progress& progress) {
-  const Integration integration = zipper(views, options.zipper, progress.part(0.0, 0.7, "integrate"));
+  const Integration integration = zipper(views, options.zipper, progress.part(0.0, 0.7, name(Phase::Integrate)));
   return std::make_shared<const Model>(
-      applyConsensus(integration.model, views, options.consensus, progress.part(0.7, 1.0, "integrate")));
+      applyConsensus(integration.model, views, options.consensus, progress.part(0.7, 1.0, name(Phase::Integrate))));
 }
 
 AcquisitionState leaveOutView(const AcquisitionState& state, std::int64_t scan, const StepOptions& options,

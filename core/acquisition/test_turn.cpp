@@ -3,6 +3,7 @@
 #include <cmath>
 #include <string>
 
+#include "acquisition/phase_times.h"
 #include "base/errors.h"
 #include "registration/pose_prior.h"
 #include "registration/registration_target.h"
@@ -24,9 +25,9 @@ TestTurn testTurn(ScannerDevice& scanner, const ScannerProfile& profile, int fro
   TriangulationOptions triangulation;
   triangulation.breakdownAngle = profile.breakdownAngle;
 
-  const RangeImage first = scanner.scan(from, progress.part(0.0, 0.25, "scan"));
-  const RangeImage second = scanner.scan(to, progress.part(0.25, 0.5, "scan"));
-  const Progress registering = progress.part(0.5, 1.0, "register");
+  const RangeImage first = scanner.scan(from, progress.part(0.0, 0.25, name(Phase::Scan)));
+  const RangeImage second = scanner.scan(to, progress.part(0.25, 0.5, name(Phase::Scan)));
+  const Progress registering = progress.part(0.5, 1.0, name(Phase::Register));
   registering.checkpoint(0.0);
   const ViewMesh a = triangulate(first, triangulation);
   if (a.mesh.empty())

@@ -51,7 +51,7 @@ Explanation explain(const Plan& plan, int position) {
   why.leastOverlap = plan.leastOverlap;
   why.terminationThreshold = plan.terminationThreshold;
   why.poseSigma = score.poseSigma;
-  why.weakDirection = score.weakDirection;
+  why.weakMotions = score.weakMotions;
   addPatches(why, plan, score);
   why.rank = rankOf(plan, score);
   why.rival = position == plan.position ? runnerUp(plan) : plan.position;

@@ -3,7 +3,6 @@
 #include <array>
 #include <cstddef>
 #include <optional>
-#include <string>
 
 #include "planning/plan.h"
 
@@ -21,7 +20,7 @@ struct Explanation {
   double leastOverlap = 0.0;             ///< t [mm^2]
   double terminationThreshold = 0.0;     ///< F [mm^2]
   std::optional<double> poseSigma;       ///< predicted registration error along the weak direction [mm]
-  std::string weakDirection;             ///< in words; empty when not predicted
+  WeakMotions weakMotions;               ///< what that direction is; empty when not predicted
   std::size_t patches = 0;               ///< void patches that it would see; 0 unless traced
   double patchArea = 0.0;                ///< sum of their weights [mm^2]
   std::array<std::size_t, kEdgeClasses> patchesByClass{};  ///< by EdgeClass

@@ -3,10 +3,10 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
-#include <string>
 #include <string_view>
 #include <vector>
 
+#include "registration/weak_direction.h"
 #include "void_space/void_patch.h"
 
 namespace vantage {
@@ -37,7 +37,7 @@ struct PositionScore {
   /// The same as o_v, with the scanner's own rays; only where positional space proposed the position [mm^2].
   std::optional<double> tracedVoidArea;
   std::optional<double> poseSigma;  ///< predicted error of registration along its weak direction [mm]
-  std::string weakDirection;        ///< what the overlap fixes worst, in words; empty when not predicted
+  WeakMotions weakMotions;          ///< what the overlap fixes worst; empty when not predicted
   Constraint constraint = Constraint::BelowThreshold;
   double shortBy = 0.0;                ///< how much the constraint is missed by, in its unit (mm^2 or mm)
   std::vector<std::uint32_t> patches;  ///< patches that it would see, by index; only where traced

@@ -201,7 +201,7 @@ class Planning {
     stability.prior = turntablePrior(input_.profile.mechanics);
     const Stability predicted = analyseStability(overlap.points, overlap.normals, pairs, stability);
     score.poseSigma = predicted.poseSigma;
-    score.weakDirection = predicted.weakName;
+    score.weakMotions = predicted.weakMotions;
   }
 
   const PlanInput& input_;

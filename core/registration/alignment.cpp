@@ -23,7 +23,7 @@ class Placement {
 
   void run(const Progress& progress) {
     if (views_.empty()) return;
-    place(0, {Verdict::Good, "the first view is where the others go", 0.0, 1.0});
+    place(0, {Verdict::Good, {VerdictReason::FirstImported, std::nullopt, {}}, 0.0, 1.0});
     std::vector<bool> failed(views_.size(), false);
     while (true) {
       const double done = static_cast<double>(order.size()) / static_cast<double>(views_.size());
@@ -59,7 +59,7 @@ class Placement {
     icp.finePoints = options_.finePoints;
     const RegistrationResult result =
         registerView(views_[i].surface, poses[i], RegistrationTarget(union_), icp, progress);
-    ViewAlignment alignment{result.verdict, result.reason, result.rms, result.inlierShare};
+    ViewAlignment alignment{result.verdict, result.finding, result.rms, result.inlierShare};
     if (result.verdict == Verdict::Failed) {
       alignments[i] = std::move(alignment);
       return false;
@@ -107,7 +107,7 @@ class Placement {
 }  // namespace
 
 AlignmentResult registerViews(std::span<const View> views, const AlignmentOptions& options, const Progress& progress) {
-  Placement placement(views, options, progress.part(0.0, 0.1, "Preparing the views"));
+  Placement placement(views, options, progress.part(0.0, 0.1, "prepare_views"));
   placement.run(progress.part(0.1, 0.6));
 
   std::vector<std::size_t> placed = placement.order;

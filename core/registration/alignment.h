@@ -2,7 +2,6 @@
 
 #include <cstddef>
 #include <span>
-#include <string>
 #include <vector>
 
 #include "base/progress.h"
@@ -21,7 +20,7 @@ struct AlignmentOptions {
 /// How one view found its place.
 struct ViewAlignment {
   Verdict verdict = Verdict::Failed;
-  std::string reason;
+  Finding finding;
   double rms = 0.0;          ///< [mm]
   double inlierShare = 0.0;  ///< 0..1
 };

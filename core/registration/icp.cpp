@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "base/errors.h"
 #include "registration/aligner.h"
@@ -104,7 +105,7 @@ RegistrationResult registerView(const ViewSurface& surface, const Pose& T_object
   const PosePrior prior = priorOf(surface, T_object_scanner, options);
   const Aligner aligner(surface, model, T_object_scanner, prior, options);
   const auto some = aligner.visible(T_object_scanner, aligner.pick(kLookAtFirst * options.coarsePoints),
-                                    options.coarsePoints, progress.part(0.0, 0.1, "Registering"));
+                                    options.coarsePoints, progress.part(0.0, 0.1, "register"));
   const Fit rough = aligner.run(T_object_scanner, some,
                                 {options.coarseGate, options.finalGate, kCoarseTolerance, options.maxIterations},
                                 progress.part(0.1, 0.3));
@@ -122,9 +123,9 @@ RegistrationResult registerView(const ViewSurface& surface, const Pose& T_object
   if (options.searchRivals && judge(evidence, options.limits).verdict == Verdict::Good)
     evidence.rivalDistance =
         findRival(aligner, fit, many, result.stability, prior, options, progress.part(0.8, 1.0)).distance;
-  const Judgement judgement = judge(evidence, options.limits);
+  Judgement judgement = judge(evidence, options.limits);
   result.verdict = judgement.verdict;
-  result.reason = judgement.reason;
+  result.finding = std::move(judgement.finding);
   return result;
 }
 

@@ -2,7 +2,6 @@
 
 #include <cstddef>
 #include <optional>
-#include <string>
 
 #include "base/progress.h"
 #include "registration/registration_target.h"
@@ -30,7 +29,7 @@ struct IcpOptions {
 struct RegistrationResult {
   Pose T_object_scanner = Pose::Identity();
   Verdict verdict = Verdict::Failed;
-  std::string reason;          ///< one sentence for the operator
+  Finding finding;             ///< what the verdict rests on
   double rms = 0.0;            ///< of the pairs, along the normals [mm]
   double inlierShare = 0.0;    ///< pairs among the model points that should have one, 0..1
   double conflictShare = 0.0;  ///< among those, points that the scanner looked through, 0..1

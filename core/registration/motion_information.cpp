@@ -103,7 +103,7 @@ Stability analyseStability(std::span<const Vec3> points, std::span<const Vec3> n
   stability.information = toScaled * scaled * toScaled;
   const WeakDirection weak = weakestDirection(stability.eigenvalues, solver.eigenvectors());
   stability.weakDirection = toMotion * weak.direction;
-  stability.weakName = weak.name;
+  stability.weakMotions = weak.motions;
   const double least = stability.eigenvalues[0];
   const Vec6 weakest = toMotion * solver.eigenvectors().col(0);
   stability.poseSigma = least > 0.0 ? farthestMotion(points, stability.centre, weakest) / std::sqrt(least)

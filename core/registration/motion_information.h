@@ -2,9 +2,9 @@
 
 #include <optional>
 #include <span>
-#include <string>
 
 #include "registration/pose_prior.h"
+#include "registration/weak_direction.h"
 
 namespace vantage {
 
@@ -17,7 +17,7 @@ struct Stability {
   Vec6 eigenvalues = Vec6::Zero();
   /// The motion that is held least, (rotation, translation) with (radius * rotation, translation) of length 1.
   Vec6 weakDirection = Vec6::Zero();
-  std::string weakName;  ///< that motion in words: "slides along z", "turns about (0.7, 0.7, 0.0)"
+  WeakMotions weakMotions;  ///< that motion said plainly, with those that are as weak; empty before an analysis
   double poseSigma =
       0.0;  ///< farthest that a point moves for one sigma of the weak motion [mm]; infinite if nothing holds
 };
@@ -47,7 +47,7 @@ struct MotionSums {
 };
 
 /// Point-to-plane information of oriented points (Gelfand et al. 2003): (pairs - pretended) / noiseSigma^2, negative
-/// eigenvalues cut to zero, + prior; its eigenvalues and the weak direction with its name.
+/// eigenvalues cut to zero, + prior; its eigenvalues and the weak direction with its motions.
 /// @param weights one per point, or empty for 1 each.
 /// @throws InvalidInput when the counts differ or the noise is not positive. No points: only the prior holds.
 [[nodiscard]] Stability analyseStability(std::span<const Vec3> points, std::span<const Vec3> normals,

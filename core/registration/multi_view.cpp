@@ -233,7 +233,7 @@ MultiViewResult refineViews(std::span<const View> views, const MultiViewOptions&
     }
     return result;
   }
-  Refiner refiner(views, options, progress.part(0.0, 0.1, "Refining all views"));
+  Refiner refiner(views, options, progress.part(0.0, 0.1, "refine"));
   return refiner.run(progress.part(0.1, 1.0));
 }
 

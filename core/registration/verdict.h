@@ -1,14 +1,15 @@
 #pragma once
 
 #include <cstddef>
-#include <string>
+#include <cstdint>
+#include <optional>
 #include <string_view>
 
 #include "registration/motion_information.h"
 
 namespace vantage {
 
-enum class Verdict {
+enum class Verdict : std::uint8_t {
   Good,
   Doubtful,  ///< usable, but something speaks against trusting it
   Failed,    ///< not to be integrated
@@ -44,11 +45,42 @@ struct Evidence {
   Stability stability;         ///< of the pairs alone
 };
 
-struct Judgement {
-  Verdict verdict = Verdict::Failed;
-  std::string reason;  ///< the gravest finding as a sentence
+/// What a verdict rests on.
+enum class VerdictReason : std::uint8_t {
+  NotRegistered,    ///< nothing was registered yet
+  FirstView,        ///< the first view of an acquisition: it defines the frame
+  FirstImported,    ///< the first of recorded scans: the others are brought to it
+  EarlierVersion,   ///< an earlier version registered it and left no reason that is known
+  Inliers,          ///< enough of the expected overlap fits [share, 0..1]
+  FewInliers,       ///< too little of the expected overlap fits [share, 0..1]
+  FewPairs,         ///< so few points overlap with the model
+  Conflicts,        ///< the scanner looked through the model's surface [share of points, 0..1]
+  Residual,         ///< the surfaces differ by more than noise and spacing explain [multiples of that]
+  Motion,           ///< it moved away from where the mechanics put it [sigmas of the prior]
+  Rival,            ///< another pose fits as well, so far away [mm]
+  HeldByMechanics,  ///< the surface lets go of some motions; the mechanics alone hold them
+  NotSettled,       ///< the pose had not come to rest when the iterations ran out
+};
+inline constexpr VerdictReason kLastVerdictReason = VerdictReason::NotSettled;
+
+/// "not_registered", "first_view", ..., "not_settled".
+[[nodiscard]] std::string_view name(VerdictReason reason);
+
+/// The gravest thing that was found about a registration.
+struct Finding {
+  VerdictReason reason = VerdictReason::NotRegistered;
+  std::optional<double> value;  ///< what was measured, in the unit of the reason; none where there is no measure
+  WeakMotions motions;          ///< those that the surface lets go of; only with HeldByMechanics
+
+  friend bool operator==(const Finding&, const Finding&) = default;
 };
 
+struct Judgement {
+  Verdict verdict = Verdict::Failed;
+  Finding finding;
+};
+
+/// The first thing found wrong decides, in the order of the limits; nothing wrong is Inliers and Good.
 [[nodiscard]] Judgement judge(const Evidence& evidence, const VerdictLimits& limits);
 
 }  // namespace vantage

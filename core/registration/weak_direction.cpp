@@ -1,9 +1,7 @@
 #include "registration/weak_direction.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 
 namespace vantage {
 namespace {
@@ -19,17 +17,22 @@ constexpr double kNothing = 1e-6;
 constexpr double kMember = 0.97;
 const double kSameAxis = std::cos(radians(10.0));
 
-std::string nameAxis(Vec3 axis) {
+Vec3 plainAxis(Vec3 axis) {
   axis.normalize();
   int largest = 0;
   axis.cwiseAbs().maxCoeff(&largest);
   if (axis[largest] < 0.0) axis = -axis;
-  if (axis[largest] >= kSameAxis) return std::string(1, "xyz"[largest]);
+  if (axis[largest] >= kSameAxis) return Vec3::Unit(largest);
   // Adding zero turns -0.0 into 0.0.
-  const Vec3 rounded = (axis * 10.0).array().round() / 10.0 + 0.0;
-  std::array<char, 40> text{};
-  std::snprintf(text.data(), text.size(), "(%.1f, %.1f, %.1f)", rounded.x(), rounded.y(), rounded.z());
-  return text.data();
+  return (axis * 10.0).array().round() / 10.0 + 0.0;
+}
+
+WeakMotion slideAlong(const Vec3& axis) {
+  return {WeakMotion::Kind::Slide, plainAxis(axis)};
+}
+
+WeakMotion turnAbout(const Vec3& axis) {
+  return {WeakMotion::Kind::Turn, plainAxis(axis)};
 }
 
 // What is left of an orthonormal basis after taking out one of its members.
@@ -39,7 +42,7 @@ Subspace without(const Subspace& basis, const Vec6& member) {
   return svd.matrixU().leftCols(basis.cols() - 1);
 }
 
-// The motions with the plainest names: slides along the axes, then turns about them (about any parallel axis, since the
+// The plainest motions: slides along the axes, then turns about them (about any parallel axis, since the
 // translation part of a turn depends on where the centre lies).
 Subspace plainMotions() {
   Subspace plain = Subspace::Zero(6, 6);
@@ -50,31 +53,43 @@ Subspace plainMotions() {
 
 }  // namespace
 
-std::string nameMotion(const Vec6& motion) {
+std::string_view name(WeakMotion::Kind kind) {
+  switch (kind) {
+    case WeakMotion::Kind::Slide:
+      return "slide";
+    case WeakMotion::Kind::Turn:
+      return "turn";
+    case WeakMotion::Kind::Free:
+      break;
+  }
+  return "free";
+}
+
+WeakMotion plainMotion(const Vec6& motion) {
   const Vec3 turn = motion.head<3>();
   const Vec3 shift = motion.tail<3>();
   const double angle = turn.norm();
-  if (angle < 1e-9) return "slides along " + nameAxis(shift);
+  if (angle < 1e-9) return slideAlong(shift);
   const Vec3 axis = turn / angle;
   const double along = shift.dot(axis);
   const double axisDistance = (shift - along * axis).norm() / angle;  // in radii
-  if (axisDistance > kFarAxis || std::abs(along) > angle) return "slides along " + nameAxis(shift);
-  return "turns about " + nameAxis(axis);
+  if (axisDistance > kFarAxis || std::abs(along) > angle) return slideAlong(shift);
+  return turnAbout(axis);
 }
 
 WeakDirection weakestDirection(const Vec6& eigenvalues, const Mat6& eigenvectors) {
-  if (eigenvalues[5] <= 0.0) return {eigenvectors.col(0), "moves freely"};
+  if (eigenvalues[5] <= 0.0) return {eigenvectors.col(0), {WeakMotion{}}};
   const double limit = std::max(kSameFactor * eigenvalues[0], kNothing * eigenvalues[5]);
   int count = 1;
   while (count < 6 && eigenvalues[count] <= limit) ++count;
   const Vec6 weakest = eigenvectors.col(0);
-  if (count == 1 || count > 3) return {weakest, nameMotion(weakest)};
+  if (count == 1 || count > 3) return {weakest, {plainMotion(weakest)}};
 
   WeakDirection found;
   Subspace weak = eigenvectors.leftCols(count);
   auto take = [&](const Vec6& member) {
-    if (found.name.empty()) found.direction = member;
-    found.name += (found.name.empty() ? "" : " and ") + nameMotion(member);
+    if (found.motions.empty()) found.direction = member;
+    found.motions.push_back(plainMotion(member));
     weak = without(weak, member);
   };
   const Subspace plain = plainMotions();
@@ -82,8 +97,7 @@ WeakDirection weakestDirection(const Vec6& eigenvalues, const Mat6& eigenvectors
     const Vec6 part = weak * (weak.transpose() * plain.col(k));
     if (part.norm() < 1e-3) continue;
     const bool slide = k < 3;
-    const std::string wanted = std::string(slide ? "slides along " : "turns about ") + "xyz"[k % 3];
-    const bool member = slide ? part.norm() >= kMember : nameMotion(part) == wanted;
+    const bool member = slide ? part.norm() >= kMember : plainMotion(part) == turnAbout(Vec3::Unit(k % 3));
     if (member) take(part.normalized());
   }
   while (weak.cols() > 0) take(weak.col(0));

@@ -138,7 +138,7 @@ Evaluation evaluate(const Mesh& model, const Mesh& object, const ScannerProfile&
   const RayCaster caster(object, RayCaster::Precision::Robust);
   const Mesh placed = fitted(model, object, caster, progress.part(0.0, 0.2, "fit"));
   const auto samples = sampleSurface(object, options.samples, options.seed);
-  const auto scannable = findScannable(samples, caster, profile, options, progress.part(0.2, 0.8, "scannable surface"));
+  const auto scannable = findScannable(samples, caster, profile, options, progress.part(0.2, 0.8, "scannable_surface"));
   Evaluation result;
   measureCoverage(samples, scannable, placed, options, progress.part(0.8, 0.9, "coverage"), result);
   measureAccuracy(placed, caster, options, progress.part(0.9, 1.0, "accuracy"), result);

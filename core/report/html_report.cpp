@@ -4,13 +4,13 @@
 #include <array>
 #include <cstdint>
 #include <cstdio>
-#include <map>
 #include <string_view>
 
 #include "base/errors.h"
 #include "planning/choice.h"
 #include "report/report.h"
 #include "report/svg_chart.h"
+#include "report/wording.h"
 
 namespace vantage {
 namespace {
@@ -31,19 +31,6 @@ img { width: 100%; border: 1px solid var(--line); } svg { width: 100%; }
 .threshold { stroke: var(--mark); stroke-dasharray: 5 4; } .line { fill: none; stroke: var(--bar); stroke-width: 2; }
 </style>
 )";
-
-struct Phase {
-  const char* key;
-  const char* title;
-};
-// The phases of Table 2, in the order in which a step runs them.
-constexpr std::array<Phase, 7> kPhases{{{"scan", "Scan"},
-                                        {"register", "Register"},
-                                        {"integrate", "Integrate"},
-                                        {"void_patches", "Void patches"},
-                                        {"project_void", "Form P_v"},
-                                        {"project_seen", "Form P_s"},
-                                        {"choose", "Choose"}}};
 
 std::string figure(double value, int decimals) {
   char text[64];
@@ -88,47 +75,10 @@ std::string picturesHtml(const std::vector<ReportPicture>& pictures) {
   return html + "</div>\n";
 }
 
-std::string_view sentence(Termination termination) {
-  switch (termination) {
-    case Termination::Running:
-      return "The acquisition goes on.";
-    case Termination::Finished:
-      return "Finished: no position would show more than the termination threshold.";
-    case Termination::NoOverlap:
-      return "Ended: void is left, but no position that shows it overlaps the model enough.";
-    case Termination::MaxViews:
-      return "Ended: the greatest number of views was taken.";
-    case Termination::RegistrationFailed:
-      return "Ended: scans could not be registered with the model.";
-    case Termination::Cancelled:
-      return "Stopped by the operator.";
-  }
-  return "";
-}
-
-std::string_view sentence(EdgeReason reason, PlanOutcome outcome) {
-  switch (reason) {
-    case EdgeReason::OutOfReach:
-      return "No ranging ray of any position reaches it.";
-    case EdgeReason::TooSteep:
-      return "Every ray that reaches it meets it more steeply than the breakdown angle.";
-    case EdgeReason::LightBlocked:
-      return "The object itself blocks the light from every position.";
-    case EdgeReason::ReceiverBlocked:
-      return "Light reaches it, but the object hides it from every receiver.";
-    case EdgeReason::BelowThreshold:
-      return outcome == PlanOutcome::Found ? "Not scanned yet: a view would still have shown more."
-                                           : "It could be seen, but one view would add less than the threshold.";
-    case EdgeReason::Answered:
-      return "Views looked at it and found no surface there.";
-  }
-  return "";
-}
-
 std::string summaryHtml(const AcquisitionState& state) {
   const AcquisitionSettings& settings = state.settings;
   const auto model = modelJson(state.model ? state.model->mesh : Mesh{});
-  std::string html = "<p>" + std::string(sentence(state.termination)) + "</p>\n<table>";
+  std::string html = "<p>" + std::string(sentenceOf(state.termination)) + "</p>\n<table>";
   html += row({"Object", escapedHtml(settings.object.empty() ? "recorded scans" : settings.object)});
   html += row({"Scanner", escapedHtml(state.profile ? state.profile->name : "none: recorded scans")});
   html += row({"Views", std::to_string(state.views.size()) + " integrated, " + std::to_string(state.rejected.size()) +
@@ -166,7 +116,7 @@ std::string viewsHtml(const AcquisitionState& state) {
   }
   for (const RejectedScan& scan : state.rejected)
     html += row({"not integrated", std::to_string(scan.image->position), std::to_string(scan.image->sampleCount()), "",
-                 "", "", "", figure(scan.registration.rms, 3), escapedHtml(scan.registration.reason)});
+                 "", "", "", figure(scan.registration.rms, 3), escapedHtml(describe(scan.registration.finding))});
   return html + "</table>\n";
 }
 
@@ -191,21 +141,21 @@ std::string objectiveHtml(const AcquisitionState& state) {
 std::string timesHtml(const AcquisitionState& state) {
   std::string html = "<h2>Time of each phase [s]</h2>\n<table>";
   std::vector<std::string> head{"View"};
-  for (const Phase& phase : kPhases) head.emplace_back(phase.title);
+  for (int phase = 0; phase < kPhases; ++phase) head.emplace_back(titleOf(static_cast<Phase>(phase)));
   html += row(head, "th");
-  std::map<std::string, double> total;
+  std::array<double, kPhases> total{};
   for (std::size_t i = 0; i < state.records.size(); ++i) {
     std::vector<std::string> cells{std::to_string(i + 1)};
-    for (const Phase& phase : kPhases) {
-      const auto it = state.records[i].seconds.find(phase.key);
+    for (int phase = 0; phase < kPhases; ++phase) {
+      const auto it = state.records[i].seconds.find(static_cast<Phase>(phase));
       const double seconds = it == state.records[i].seconds.end() ? 0.0 : it->second;
-      total[phase.key] += seconds;
+      total[static_cast<std::size_t>(phase)] += seconds;
       cells.push_back(figure(seconds, 2));
     }
     html += row(cells);
   }
   std::vector<std::string> sums{"All"};
-  for (const Phase& phase : kPhases) sums.push_back(figure(total[phase.key], 2));
+  for (const double seconds : total) sums.push_back(figure(seconds, 2));
   return html + row(sums, "th") + "</table>\n";
 }
 
@@ -222,8 +172,8 @@ std::string remainingHtml(const AcquisitionState& state) {
   std::string html = "<h2>What is left, and why</h2>\n<table>" + row({"Reason", "Edges", "Length [mm]"}, "th");
   for (int reason = 0; reason < kEdgeReasons; ++reason)
     if (edges[reason] > 0)
-      html += row({std::string(sentence(static_cast<EdgeReason>(reason), plan.outcome)), std::to_string(edges[reason]),
-                   figure(lengths[reason], 0)});
+      html += row({std::string(sentenceOf(static_cast<EdgeReason>(reason), plan.outcome)),
+                   std::to_string(edges[reason]), figure(lengths[reason], 0)});
   return html + "</table>\n";
 }
 

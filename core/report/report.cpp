@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "geometry/measures.h"
+#include "report/wording.h"
 
 namespace vantage {
 namespace {
@@ -21,10 +22,9 @@ Json finite(double value) {
 // The phases of Table 2, 0 where one did not run.
 Json secondsJson(const PhaseTimes& seconds) {
   Json json;
-  for (const char* phase :
-       {"scan", "register", "integrate", "void_patches", "project_void", "project_seen", "choose"}) {
-    const auto it = seconds.find(phase);
-    json[phase] = it == seconds.end() ? 0.0 : it->second;
+  for (int i = 0; i < kPhases; ++i) {
+    const auto it = seconds.find(static_cast<Phase>(i));
+    json[std::string(name(static_cast<Phase>(i)))] = it == seconds.end() ? 0.0 : it->second;
   }
   return json;
 }
@@ -32,7 +32,7 @@ Json secondsJson(const PhaseTimes& seconds) {
 Json predictedJson(const PositionScore& score) {
   return {{"void_mm2", score.tracedVoidArea.value_or(score.voidArea)},
           {"overlap_mm2", score.overlapArea},
-          {"worst_direction", score.weakDirection},
+          {"worst_direction", describe(score.weakMotions)},
           {"pose_sigma_mm", score.poseSigma ? finite(*score.poseSigma) : Json(nullptr)}};
 }
 
@@ -68,20 +68,19 @@ Json viewJson(const AcquisitionState& state, std::size_t index) {
 
 nlohmann::ordered_json registrationJson(const RegistrationResult& registration) {
   return {{"verdict", name(registration.verdict)},
-          {"reason", registration.reason},
+          {"reason", describe(registration.finding)},
+          {"reason_code", name(registration.finding.reason)},
           {"rms_mm", registration.rms},
           {"inliers", registration.inlierShare},
           {"iterations", registration.iterations},
           {"pairs", registration.pairs},
-          {"worst_direction", registration.stability.weakName},
+          {"worst_direction", describe(registration.stability.weakMotions)},
           {"pose_sigma_mm", finite(registration.poseSigma)}};
 }
 
 nlohmann::ordered_json voidCountsJson(const VoidSurface& voids) {
-  constexpr std::array<const char*, kEdgeClasses> kNames{"outer_jump", "inner_jump", "line_of_sight_jump", "regular",
-                                                         "rim"};
   Json json;
-  for (std::size_t i = 0; i < kNames.size(); ++i) json[kNames[i]] = voids.counts[i];
+  for (std::size_t i = 0; i < kEdgeClasses; ++i) json[std::string(name(static_cast<EdgeClass>(i)))] = voids.counts[i];
   return json;
 }
 
@@ -113,7 +112,7 @@ nlohmann::ordered_json scoreJson(const PositionScore& score) {
   Json json{{"position", score.position}, {"void_mm2", score.voidArea}, {"overlap_mm2", score.overlapArea}};
   if (score.tracedVoidArea) json["traced_void_mm2"] = *score.tracedVoidArea;
   if (score.poseSigma) json["pose_sigma_mm"] = finite(*score.poseSigma);
-  if (!score.weakDirection.empty()) json["worst_direction"] = score.weakDirection;
+  if (!score.weakMotions.empty()) json["worst_direction"] = describe(score.weakMotions);
   json["constraint"] = name(score.constraint);
   json["short_by"] = score.shortBy;
   json["patches"] = score.patches.size();

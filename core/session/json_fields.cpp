@@ -45,6 +45,10 @@ bool JsonFields::has(const char* key) const {
   return json_.contains(key);
 }
 
+bool JsonFields::isText(const char* key) const {
+  return at(key).is_string();
+}
+
 double JsonFields::number(const char* key) const {
   const nlohmann::json& value = at(key);
   if (value.is_null()) return std::numeric_limits<double>::infinity();

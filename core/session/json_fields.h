@@ -18,6 +18,7 @@ class JsonFields {
   JsonFields(const nlohmann::json& json, std::string what);
 
   [[nodiscard]] bool has(const char* key) const;
+  [[nodiscard]] bool isText(const char* key) const;
   /// null is infinity.
   [[nodiscard]] double number(const char* key) const;
   [[nodiscard]] std::int64_t integer(const char* key, std::int64_t low, std::int64_t high) const;

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "session/earlier_wording.h"
 #include "session/json_fields.h"
 
 namespace vantage {
@@ -34,11 +35,48 @@ Pose poseFrom(const JsonFields& fields, const char* key) {
   return pose;
 }
 
+Json motionsJson(const WeakMotions& motions) {
+  Json list = Json::array();
+  for (const WeakMotion& motion : motions)
+    list.push_back({{"kind", name(motion.kind)}, {"axis", numberList(motion.axis, 3)}});
+  return list;
+}
+
+WeakMotions motionsFrom(const JsonFields& fields) {
+  WeakMotions motions;
+  for (const Json& item : fields.list("weak_motions")) {
+    const JsonFields motion(item, fields.what());
+    motions.push_back({motion.named("kind", WeakMotion::Kind::Free), Vec3::Zero()});
+    motion.numbers("axis", motions.back().axis.data(), 3);
+  }
+  return motions;
+}
+
+// Up to schema 2 the motions were words.
+WeakMotions motionsFrom(const JsonFields& fields, const char* earlierKey) {
+  return fields.has("weak_motions") ? motionsFrom(fields) : weakMotionsFromEarlier(fields.text(earlierKey));
+}
+
+Json findingJson(const Finding& finding) {
+  Json json{{"code", name(finding.reason)}};
+  if (finding.value) json["value"] = jsonNumber(*finding.value);
+  if (!finding.motions.empty()) json["weak_motions"] = motionsJson(finding.motions);
+  return json;
+}
+
+Finding findingFrom(const JsonFields& fields) {
+  Finding finding;
+  finding.reason = fields.named("code", kLastVerdictReason);
+  if (fields.has("value")) finding.value = fields.number("value");
+  if (fields.has("weak_motions")) finding.motions = motionsFrom(fields);
+  return finding;
+}
+
 Json scoreJson(const PositionScore& s) {
   Json json{{"position", s.position},
             {"void_mm2", jsonNumber(s.voidArea)},
             {"overlap_mm2", jsonNumber(s.overlapArea)},
-            {"worst_direction", s.weakDirection},
+            {"weak_motions", motionsJson(s.weakMotions)},
             {"constraint", name(s.constraint)},
             {"short_by", jsonNumber(s.shortBy)}};
   if (s.tracedVoidArea) json["traced_void_mm2"] = jsonNumber(*s.tracedVoidArea);
@@ -53,7 +91,7 @@ PositionScore scoreFrom(const JsonFields& fields) {
   s.overlapArea = fields.number("overlap_mm2");
   if (fields.has("traced_void_mm2")) s.tracedVoidArea = fields.number("traced_void_mm2");
   if (fields.has("pose_sigma_mm")) s.poseSigma = fields.number("pose_sigma_mm");
-  s.weakDirection = fields.text("worst_direction");
+  s.weakMotions = motionsFrom(fields, "worst_direction");
   s.constraint = fields.named("constraint", Constraint::PoseUncertain);
   s.shortBy = fields.number("short_by");
   return s;
@@ -81,7 +119,7 @@ Json stabilityJson(const Stability& s) {
           {"information", numberList(s.information.reshaped(), 36)},
           {"eigenvalues", numberList(s.eigenvalues, 6)},
           {"weak_direction", numberList(s.weakDirection, 6)},
-          {"weak_name", s.weakName},
+          {"weak_motions", motionsJson(s.weakMotions)},
           {"pose_sigma_mm", jsonNumber(s.poseSigma)}};
 }
 
@@ -92,7 +130,7 @@ Stability stabilityFrom(const JsonFields& fields) {
   fields.numbers("information", s.information.data(), 36);
   fields.numbers("eigenvalues", s.eigenvalues.data(), 6);
   fields.numbers("weak_direction", s.weakDirection.data(), 6);
-  s.weakName = fields.text("weak_name");
+  s.weakMotions = motionsFrom(fields, "weak_name");
   s.poseSigma = fields.number("pose_sigma_mm");
   return s;
 }
@@ -100,7 +138,7 @@ Stability stabilityFrom(const JsonFields& fields) {
 Json registrationJson(const RegistrationResult& r) {
   return {{"pose", poseJson(r.T_object_scanner)},
           {"verdict", name(r.verdict)},
-          {"reason", r.reason},
+          {"reason", findingJson(r.finding)},
           {"rms_mm", jsonNumber(r.rms)},
           {"inliers", jsonNumber(r.inlierShare)},
           {"conflicts", jsonNumber(r.conflictShare)},
@@ -114,7 +152,8 @@ RegistrationResult registrationFrom(const JsonFields& fields) {
   RegistrationResult r;
   r.T_object_scanner = poseFrom(fields, "pose");
   r.verdict = fields.named("verdict", Verdict::Failed);
-  r.reason = fields.text("reason");
+  r.finding =
+      fields.isText("reason") ? findingFromEarlier(fields.text("reason")) : findingFrom(fields.object("reason"));
   r.rms = fields.number("rms_mm");
   r.inlierShare = fields.number("inliers");
   r.conflictShare = fields.number("conflicts");
@@ -229,7 +268,8 @@ std::string recordText(const ViewRecord& r) {
             {"registration", registrationJson(r.registration)},
             {"new_area_mm2", jsonNumber(r.newArea)},
             {"overlap_mm2", jsonNumber(r.overlapArea)},
-            {"seconds", r.seconds}};
+            {"seconds", Json::object()}};
+  for (const auto& [phase, seconds] : r.seconds) json["seconds"][std::string(name(phase))] = seconds;
   if (r.predicted) json["predicted"] = predictionJson(*r.predicted);
   return json.dump();
 }
@@ -247,8 +287,9 @@ ViewRecord recordFromText(const std::string& text, const std::string& what) {
   r.overlapArea = fields.number("overlap_mm2");
   if (fields.has("predicted")) r.predicted = predictionFrom(fields.object("predicted"));
   if (!fields.has("seconds") || !json["seconds"].is_object()) fields.fail("seconds");
-  for (const auto& [phase, seconds] : json["seconds"].items())
-    if (seconds.is_number()) r.seconds[phase] = seconds.get<double>();
+  for (const auto& [step, seconds] : json["seconds"].items())
+    if (const auto phase = phaseFromEarlier(step); phase && seconds.is_number())
+      r.seconds[*phase] += seconds.get<double>();
   return r;
 }
 

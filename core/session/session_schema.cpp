@@ -122,7 +122,7 @@ void addRecord1(Database& database, std::int64_t scan, int position, std::int64_
   record.samples = static_cast<std::size_t>(std::max<std::int64_t>(0, samples));
   record.triangles = static_cast<std::size_t>(std::max<std::int64_t>(0, triangles));
   record.registration.verdict = failed ? Verdict::Failed : Verdict::Good;
-  record.registration.reason = "registered by an earlier version";
+  record.registration.finding.reason = VerdictReason::EarlierVersion;
   database.prepare("INSERT INTO record(step, scan, data) VALUES(2, ?, ?)")
       .bind(1, scan)
       .bind(2, std::string_view(recordText(record)))

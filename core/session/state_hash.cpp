@@ -16,13 +16,27 @@ void addSettings(ContentHash& hash, const AcquisitionSettings& s) {
   hash.add(name(s.strategy));
 }
 
+void addMotions(ContentHash& hash, const WeakMotions& motions) {
+  for (const WeakMotion& motion : motions) {
+    hash.add(motion.kind);
+    hash.add(std::as_bytes(std::span(motion.axis.data(), 3)));
+  }
+}
+
+void addFinding(ContentHash& hash, const Finding& finding) {
+  hash.add(finding.reason);
+  hash.add(finding.value.has_value());
+  hash.add(finding.value.value_or(0.0));
+  addMotions(hash, finding.motions);
+}
+
 void addScore(ContentHash& hash, const PositionScore& score) {
   hash.add(score.position);
   hash.add(score.voidArea);
   hash.add(score.overlapArea);
   hash.add(score.tracedVoidArea.value_or(-1.0));
   hash.add(score.poseSigma.value_or(-1.0));
-  hash.add(score.weakDirection);
+  addMotions(hash, score.weakMotions);
   hash.add(score.constraint);
   hash.add(score.shortBy);
   hash.add(score.patches);
@@ -60,7 +74,7 @@ void addPatches(ContentHash& hash, const Plan& plan) {
 void addRegistration(ContentHash& hash, const RegistrationResult& r) {
   addPose(hash, r.T_object_scanner);
   hash.add(r.verdict);
-  hash.add(r.reason);
+  addFinding(hash, r.finding);
   hash.add(r.rms);
   hash.add(r.inlierShare);
   hash.add(static_cast<std::uint64_t>(r.pairs));

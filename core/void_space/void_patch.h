@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <string_view>
 #include <vector>
 
 #include "geometry/vectors.h"
@@ -13,6 +14,9 @@ namespace vantage {
 /// scanner samples at all; beside it no ray was shot.
 enum class EdgeClass : std::uint8_t { OuterJump, InnerJump, LineOfSightJump, Regular, Rim };
 inline constexpr std::size_t kEdgeClasses = 5;
+
+/// "outer_jump", "inner_jump", "line_of_sight_jump", "regular", "rim".
+[[nodiscard]] std::string_view name(EdgeClass edgeClass);
 
 /// A small rectangle attached to a boundary edge of the model, on the border between seen and unseen space
 /// (Pito 1999, 4.3). Object coordinates.

@@ -32,7 +32,7 @@ std::shared_ptr<const Plan> makePlan() {
   plan->scores[1].tracedVoidArea = 620.0;
   plan->scores[1].patches = {0, 1};
   plan->scores[1].poseSigma = 0.0123;
-  plan->scores[1].weakDirection = "turns about z";
+  plan->scores[1].weakMotions = {{WeakMotion::Kind::Turn, Vec3::UnitZ()}};
   return plan;
 }
 

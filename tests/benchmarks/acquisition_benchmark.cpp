@@ -1,7 +1,6 @@
 // The phases of a whole acquisition of the sample mug in the shape of Table 2 (Pito 1999), and the most memory it held.
 // Arguments: another object and another scanner profile.
 
-#include <array>
 #include <cstdio>
 #include <exception>
 #include <map>
@@ -16,14 +15,11 @@
 namespace vantage {
 namespace {
 
-constexpr std::array kPhases = {"scan",         "register",     "integrate", "void_patches",
-                                "project_void", "project_seen", "choose"};
-
 void printRow(const std::string& label, const PhaseTimes& seconds) {
   std::printf("%-12s", label.c_str());
   double sum = 0.0;
-  for (const char* phase : kPhases) {
-    const auto it = seconds.find(phase);
+  for (int phase = 0; phase < kPhases; ++phase) {
+    const auto it = seconds.find(static_cast<Phase>(phase));
     const double time = it == seconds.end() ? 0.0 : it->second;
     sum += time;
     std::printf(" %12.3f", time);
@@ -33,7 +29,7 @@ void printRow(const std::string& label, const PhaseTimes& seconds) {
 
 void printTable(const AcquisitionState& state) {
   std::printf("%-12s", "seconds");
-  for (const char* phase : kPhases) std::printf(" %12s", phase);
+  for (int phase = 0; phase < kPhases; ++phase) std::printf(" %12s", name(static_cast<Phase>(phase)).data());
   std::printf(" %9s\n", "sum");
   PhaseTimes total;
   for (std::size_t v = 0; v < state.records.size(); ++v) {

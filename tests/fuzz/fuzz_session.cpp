@@ -88,7 +88,7 @@ void readAll(const std::string& path) {
     static_cast<void>(session.state(i));
     static_cast<void>(session.model(i));
     static_cast<void>(session.plan(i));
-    static_cast<void>(describe(session.history().entry(i).command));
+    static_cast<void>(kindOf(session.history().entry(i).command));
   }
   static_cast<void>(session.object());
 }

@@ -75,13 +75,19 @@ TEST(StateHash, TellsStatesApartAndIgnoresTimes) {
   a.views.resize(1);
   a.records.resize(1);
   AcquisitionState b = a;
-  b.records[0].seconds["scan"] = 3.0;
+  b.records[0].seconds[Phase::Scan] = 3.0;
   EXPECT_EQ(stateHash(a), stateHash(b));
   b.records[0].newArea = 1e-300;
   EXPECT_NE(stateHash(a), stateHash(b));
   b = a;
   b.views[0].T_object_scanner.translation().z() = -0.0;  // other bytes
   EXPECT_NE(stateHash(a), stateHash(b));
+  b = a;
+  b.records[0].registration.finding = {VerdictReason::Inliers, 0.5, {}};
+  AcquisitionState c = b;
+  EXPECT_NE(stateHash(a), stateHash(b));
+  c.records[0].registration.finding.value = 0.25;
+  EXPECT_NE(stateHash(b), stateHash(c));
   b = a;
   b.chosenPosition = 0;
   EXPECT_NE(stateHash(a), stateHash(b));

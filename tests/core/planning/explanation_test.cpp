@@ -30,7 +30,7 @@ Plan makePlan() {
   plan.scores[1].tracedVoidArea = 320.0;
   plan.scores[1].patches = {0, 2};
   plan.scores[1].poseSigma = 0.02;
-  plan.scores[1].weakDirection = "turns about z";
+  plan.scores[1].weakMotions = {{WeakMotion::Kind::Turn, Vec3::UnitZ()}};
   const Choice choice =
       choose(plan.scores, turntable(4), 0, {.leastOverlap = 100.0, .terminationThreshold = 10.0, .maxPoseSigma = 1.0});
   plan.outcome = choice.outcome;

@@ -13,6 +13,8 @@
 namespace vantage {
 namespace {
 
+using Kind = WeakMotion::Kind;
+
 struct Cloud {
   std::vector<Vec3> points;
   std::vector<Vec3> normals;
@@ -104,7 +106,8 @@ TEST(Stability, OfAPlaneLetsItSlideAndTurnInItself) {
   EXPECT_NEAR(s.information(5, 5), 441 / 0.01, 1e-6);
   EXPECT_NEAR(s.eigenvalues[2], 0.0, 1e-9 * s.eigenvalues[5]);
   EXPECT_GT(s.eigenvalues[3], 0.1 * s.eigenvalues[5]);
-  EXPECT_EQ(s.weakName, "slides along x and slides along y and turns about z");
+  EXPECT_EQ(s.weakMotions,
+            (WeakMotions{{Kind::Slide, Vec3::UnitX()}, {Kind::Slide, Vec3::UnitY()}, {Kind::Turn, Vec3::UnitZ()}}));
   EXPECT_EQ(s.poseSigma, std::numeric_limits<double>::infinity());
   EXPECT_TRUE(s.centre.isApprox(Vec3(0, 0, 5)));
   // Mean square of -10..10 is 110 / 3, for x and for y.
@@ -115,7 +118,7 @@ TEST(Stability, OfACylinderLetsItSlideAndTurnAlongItsAxis) {
   const Stability s = cylinder().analyse();
   EXPECT_NEAR(s.eigenvalues[1], 0.0, 1e-9 * s.eigenvalues[5]);
   EXPECT_GT(s.eigenvalues[2], 1e-3 * s.eigenvalues[5]);
-  EXPECT_EQ(s.weakName, "slides along z and turns about z");
+  EXPECT_EQ(s.weakMotions, (WeakMotions{{Kind::Slide, Vec3::UnitZ()}, {Kind::Turn, Vec3::UnitZ()}}));
 }
 
 TEST(Stability, NamesTheAxisOfATurnThatLiesBesideThePoints) {
@@ -131,11 +134,12 @@ TEST(Stability, NamesTheAxisOfATurnThatLiesBesideThePoints) {
     cloud.points.emplace_back(i % 3, i / 3, -20);
     cloud.normals.emplace_back(0, 0, 1);
   }
-  EXPECT_EQ(cloud.analyse().weakName, "turns about z");
+  EXPECT_EQ(cloud.analyse().weakMotions, (WeakMotions{{Kind::Turn, Vec3::UnitZ()}}));
 }
 
 TEST(Stability, OfASphereLetsItTurnAboutItsCentre) {
-  EXPECT_EQ(sphere().analyse().weakName, "turns about x and turns about y and turns about z");
+  EXPECT_EQ(sphere().analyse().weakMotions,
+            (WeakMotions{{Kind::Turn, Vec3::UnitX()}, {Kind::Turn, Vec3::UnitY()}, {Kind::Turn, Vec3::UnitZ()}}));
 }
 
 TEST(Stability, NamesASlantedSlide) {
@@ -149,7 +153,7 @@ TEST(Stability, NamesASlantedSlide) {
       cloud.normals.push_back(Vec3(1, -1, 0).normalized());
     }
   }
-  EXPECT_EQ(cloud.analyse().weakName, "slides along (0.7, 0.7, 0.0)");
+  EXPECT_EQ(cloud.analyse().weakMotions, (WeakMotions{{Kind::Slide, Vec3(0.7, 0.7, 0.0)}}));
 }
 
 TEST(Stability, OfACornerIsFirmAndGivesTheSigmaOfItsWeakestMotion) {
@@ -195,7 +199,7 @@ TEST(Stability, APriorHoldsWhatThePointsDoNot) {
   mechanics.positionSigma = 0.01;
   options.prior = turntablePrior(mechanics);
   const Stability s = cylinder().analyse(options);
-  EXPECT_EQ(s.weakName, "turns about z");
+  EXPECT_EQ(s.weakMotions, (WeakMotions{{Kind::Turn, Vec3::UnitZ()}}));
   // A turn by one sigma of 0.3 degrees moves the points by 10 mm times the angle.
   EXPECT_NEAR(s.poseSigma, 10.0 * radians(0.3), 1e-4);
 }
@@ -226,24 +230,40 @@ TEST(Stability, RefusesCountsThatDiffer) {
   EXPECT_THROW((void)analyseStability(one, one, {}, options), InvalidInput);
 }
 
+TEST(WeakDirection, IsFreeWithoutAnyInformation) {
+  EXPECT_EQ(weakestDirection(Vec6::Zero(), Mat6::Identity()).motions, (WeakMotions{{Kind::Free, Vec3::Zero()}}));
+}
+
+TEST(WeakDirection, GivesASlantedAxisToATenth) {
+  Vec6 motion;
+  motion << 0, 0, 0, -3.0, 1.0, 0.02;
+  EXPECT_EQ(plainMotion(motion), (WeakMotion{Kind::Slide, Vec3(0.9, -0.3, 0.0)}));
+}
+
+TEST(WeakDirection, KindsHaveNames) {
+  EXPECT_EQ(name(Kind::Slide), "slide");
+  EXPECT_EQ(name(Kind::Turn), "turn");
+  EXPECT_EQ(name(Kind::Free), "free");
+}
+
 TEST(WeakDirection, NamesAScrewByItsMainPart) {
   Vec6 motion;
   motion << 0, 0, 0.9, 0, 0, 0.3;
-  EXPECT_EQ(nameMotion(motion), "turns about z");
+  EXPECT_EQ(plainMotion(motion), (WeakMotion{Kind::Turn, Vec3::UnitZ()}));
   motion << 0, 0, 0.3, 0, 0, 0.9;
-  EXPECT_EQ(nameMotion(motion), "slides along z");
+  EXPECT_EQ(plainMotion(motion), (WeakMotion{Kind::Slide, Vec3::UnitZ()}));
 }
 
 TEST(WeakDirection, CallsATurnAboutAFarAxisASlide) {
   Vec6 motion;
   motion << 0, 0, 0.1, 1.0, 0, 0;
-  EXPECT_EQ(nameMotion(motion), "slides along x");
+  EXPECT_EQ(plainMotion(motion), (WeakMotion{Kind::Slide, Vec3::UnitX()}));
 }
 
 TEST(WeakDirection, PointsAlongThePositiveAxis) {
   Vec6 motion;
   motion << 0, 0, 0, 0.01, -1.0, 0;
-  EXPECT_EQ(nameMotion(motion), "slides along y");
+  EXPECT_EQ(plainMotion(motion), (WeakMotion{Kind::Slide, Vec3::UnitY()}));
 }
 
 }  // namespace

@@ -14,12 +14,13 @@ Evidence sound() {
   e.motion = 1.0;
   e.settled = true;
   e.stability.poseSigma = 0.02;
-  e.stability.weakName = "turns about z";
+  e.stability.weakMotions = {{WeakMotion::Kind::Turn, Vec3::UnitZ()}};
   return e;
 }
 
 TEST(Verdict, OfSoundEvidenceIsGood) {
   EXPECT_EQ(judge(sound(), {}).verdict, Verdict::Good);
+  EXPECT_EQ(judge(sound(), {}).finding, (Finding{VerdictReason::Inliers, 0.98, {}}));
 }
 
 TEST(Verdict, FailsWithoutOverlap) {
@@ -27,39 +28,43 @@ TEST(Verdict, FailsWithoutOverlap) {
   e.pairs = 12;
   const Judgement judgement = judge(e, {});
   EXPECT_EQ(judgement.verdict, Verdict::Failed);
-  EXPECT_EQ(judgement.reason, "only 12 points overlap with the model");
+  EXPECT_EQ(judgement.finding, (Finding{VerdictReason::FewPairs, 12.0, {}}));
 }
 
 TEST(Verdict, EveryFindingAloneTakesTheGoodAway) {
-  const auto worse = [](auto change, Verdict expected) {
+  const auto worse = [](auto change, Verdict expected, VerdictReason reason) {
     Evidence e = sound();
     change(e);
-    EXPECT_EQ(judge(e, {}).verdict, expected) << judge(e, {}).reason;
+    EXPECT_EQ(judge(e, {}).verdict, expected) << name(reason);
+    EXPECT_EQ(judge(e, {}).finding.reason, reason);
   };
-  worse([](Evidence& e) { e.inlierShare = 0.6; }, Verdict::Doubtful);
-  worse([](Evidence& e) { e.inlierShare = 0.3; }, Verdict::Failed);
-  worse([](Evidence& e) { e.conflictShare = 0.08; }, Verdict::Doubtful);
-  worse([](Evidence& e) { e.conflictShare = 0.3; }, Verdict::Failed);
-  worse([](Evidence& e) { e.residual = 3.0; }, Verdict::Doubtful);
-  worse([](Evidence& e) { e.residual = 6.0; }, Verdict::Failed);
-  worse([](Evidence& e) { e.motion = 5.0; }, Verdict::Doubtful);
-  worse([](Evidence& e) { e.motion = 20.0; }, Verdict::Failed);
-  worse([](Evidence& e) { e.heldByPrior = 1; }, Verdict::Doubtful);
-  worse([](Evidence& e) { e.stability.poseSigma = 0.5; }, Verdict::Doubtful);
-  worse([](Evidence& e) { e.rivalDistance = 12.0; }, Verdict::Doubtful);
-  worse([](Evidence& e) { e.settled = false; }, Verdict::Doubtful);
+  worse([](Evidence& e) { e.inlierShare = 0.6; }, Verdict::Doubtful, VerdictReason::FewInliers);
+  worse([](Evidence& e) { e.inlierShare = 0.3; }, Verdict::Failed, VerdictReason::FewInliers);
+  worse([](Evidence& e) { e.conflictShare = 0.08; }, Verdict::Doubtful, VerdictReason::Conflicts);
+  worse([](Evidence& e) { e.conflictShare = 0.3; }, Verdict::Failed, VerdictReason::Conflicts);
+  worse([](Evidence& e) { e.residual = 3.0; }, Verdict::Doubtful, VerdictReason::Residual);
+  worse([](Evidence& e) { e.residual = 6.0; }, Verdict::Failed, VerdictReason::Residual);
+  worse([](Evidence& e) { e.motion = 5.0; }, Verdict::Doubtful, VerdictReason::Motion);
+  worse([](Evidence& e) { e.motion = 20.0; }, Verdict::Failed, VerdictReason::Motion);
+  worse([](Evidence& e) { e.heldByPrior = 1; }, Verdict::Doubtful, VerdictReason::HeldByMechanics);
+  worse([](Evidence& e) { e.stability.poseSigma = 0.5; }, Verdict::Doubtful, VerdictReason::HeldByMechanics);
+  worse([](Evidence& e) { e.rivalDistance = 12.0; }, Verdict::Doubtful, VerdictReason::Rival);
+  worse([](Evidence& e) { e.settled = false; }, Verdict::Doubtful, VerdictReason::NotSettled);
 }
 
-TEST(Verdict, SaysWhatThePriorAloneHolds) {
+TEST(Verdict, NamesTheMotionsThatThePriorAloneHolds) {
   Evidence e = sound();
   e.heldByPrior = 1;
-  EXPECT_NE(judge(e, {}).reason.find("turns about z"), std::string::npos);
+  EXPECT_EQ(judge(e, {}).finding, (Finding{VerdictReason::HeldByMechanics, {}, e.stability.weakMotions}));
 }
 
 TEST(Verdict, HasAName) {
   EXPECT_EQ(name(Verdict::Good), "good");
   EXPECT_EQ(name(Verdict::Doubtful), "doubtful");
   EXPECT_EQ(name(Verdict::Failed), "failed");
+  EXPECT_EQ(name(VerdictReason::NotRegistered), "not_registered");
+  EXPECT_EQ(name(VerdictReason::HeldByMechanics), "held_by_mechanics");
+  EXPECT_EQ(name(kLastVerdictReason), "not_settled");
 }
 
 }  // namespace

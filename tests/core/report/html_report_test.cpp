@@ -45,7 +45,7 @@ AcquisitionState twoViews() {
     ViewRecord record;
     record.position = static_cast<int>(area) % 7;
     record.newArea = area;
-    record.seconds = {{"scan", 0.25}, {"choose", 1.5}};
+    record.seconds = {{Phase::Scan, 0.25}, {Phase::Choose, 1.5}};
     state.records.push_back(record);
     state.views.emplace_back();
   }

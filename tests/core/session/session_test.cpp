@@ -84,7 +84,7 @@ TEST_F(SessionTest, ReplaysToTheSameBytes) {
   state.profile = session.profile();
   for (std::size_t i = 0; i < session.history().size(); ++i) {
     state = applyCommand(state, session.history().entry(i).command, input, {});
-    EXPECT_EQ(stateHash(state), session.history().entry(i).hash) << describe(session.history().entry(i).command);
+    EXPECT_EQ(stateHash(state), session.history().entry(i).hash) << kindOf(session.history().entry(i).command);
   }
 }
 

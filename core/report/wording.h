@@ -1,0 +1,37 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "acquisition/command.h"
+#include "acquisition/phase_times.h"
+#include "planning/plan.h"
+#include "registration/verdict.h"
+
+namespace vantage {
+
+/// What results mean, in English: for the command line, its JSON and the HTML report. The window has its own words.
+
+/// "slides along z", "turns about (0.7, 0.7, 0.0)", "moves freely".
+[[nodiscard]] std::string describe(const WeakMotion& motion);
+
+/// The motions joined by "and"; empty for none.
+[[nodiscard]] std::string describe(const WeakMotions& motions);
+
+/// What a verdict rests on, as part of a sentence: "only 45 % of the expected overlap fits".
+[[nodiscard]] std::string describe(const Finding& finding);
+
+/// One line for a command: "Scan 3 added".
+[[nodiscard]] std::string describe(const Command& command);
+
+/// Why an acquisition ended, as a sentence.
+[[nodiscard]] std::string_view sentenceOf(Termination termination);
+
+/// Why a boundary edge is left, as a sentence. What is below the threshold was only looked at where the plan found
+/// nothing more to scan.
+[[nodiscard]] std::string_view sentenceOf(EdgeReason reason, PlanOutcome outcome);
+
+/// What a phase is called at the head of a table, with the symbols of the paper.
+[[nodiscard]] std::string_view titleOf(Phase phase);
+
+}  // namespace vantage
