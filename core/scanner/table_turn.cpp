@@ -16,8 +16,9 @@ const Pose& poseAt(const Workspace& workspace, int position) {
   return workspace.poses[static_cast<std::size_t>(position)];
 }
 
-// A tilt turns about the scanner's y axis, so that axis tells the turn alone.
-double azimuth(const Pose& pose) {
+// A tilt turns about the scanner's y axis, so that axis tells the turn alone; the place of the scanner tells it only
+// when that is on its x axis.
+double turnOf(const Pose& pose) {
   const Vec3 y = pose.linear().col(1);
   return std::atan2(y.y(), y.x());
 }
@@ -32,9 +33,19 @@ double tilt(const Pose& pose) {
 TableTurn turnBetween(const Workspace& workspace, int from, int to) {
   const Pose& a = poseAt(workspace, from);
   const Pose& b = poseAt(workspace, to);
-  double angle = std::remainder(azimuth(a) - azimuth(b), 2.0 * kPi);
+  double angle = std::remainder(turnOf(a) - turnOf(b), 2.0 * kPi);
   if (angle <= -kPi + 1e-12) angle = kPi;
   return {angle, tilt(b) - tilt(a)};
+}
+
+Vec3 scannerPlace(const ScannerProfile& profile, const Pose& T_object_scanner) {
+  const RayGrid& rays = *profile.rays;
+  return T_object_scanner * rays.rayAt({0.5 * (rays.rows() - 1), 0.5 * (rays.columns() - 1)}).origin;
+}
+
+double azimuthOf(const ScannerProfile& profile, const Pose& T_object_scanner) {
+  const Vec3 place = scannerPlace(profile, T_object_scanner);
+  return std::atan2(place.y(), place.x());
 }
 
 }  // namespace vantage

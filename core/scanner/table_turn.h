@@ -1,6 +1,6 @@
 #pragma once
 
-#include "scanner/workspace.h"
+#include "scanner/profile.h"
 
 namespace vantage {
 
@@ -14,5 +14,11 @@ struct TableTurn {
 /// turns clockwise.
 /// @throws InvalidInput when the workspace has no such position.
 [[nodiscard]] TableTurn turnBetween(const Workspace& workspace, int from, int to);
+
+/// Where the scanner is: the middle of its light sources, in object coordinates [mm].
+[[nodiscard]] Vec3 scannerPlace(const ScannerProfile& profile, const Pose& T_object_scanner);
+
+/// The azimuth of that place as seen from above [rad], counter-clockwise from +x, in [-pi, pi].
+[[nodiscard]] double azimuthOf(const ScannerProfile& profile, const Pose& T_object_scanner);
 
 }  // namespace vantage

@@ -3,8 +3,6 @@
 #include "charts/objective_chart.h"
 #include "charts/scanner_picture_chart.h"
 #include "charts/unrolled_map_chart.h"
-#include "layers/turntable_layer.h"
-#include "scanner/ray_patterns.h"
 
 namespace vantage {
 namespace {
@@ -92,15 +90,6 @@ TEST(ScannerPictureChart, StandsUprightWhateverTheOrderOfTheRays) {
   EXPECT_EQ(toImage(picture, lightTheme()).pixel(0, 1), voidColour);
   picture.columnsLeft = true;
   EXPECT_EQ(toImage(picture, lightTheme()).pixel(2, 1), voidColour);
-}
-
-TEST(Turntable, AzimuthIsWhereTheScannerStandsSeenFromTheObject) {
-  ScannerProfile profile;
-  profile.rays =
-      std::make_shared<const RayGrid>(makeRays(LinearStripe{{200.0, 0.0, 30.0}, 40.0, 5, 9, 80.0}, ReceiverOffsets{}));
-  const Workspace workspace = turntable(4);
-  EXPECT_NEAR(azimuthOf(profile, workspace.poses[0]), 0.0, 1e-9);
-  EXPECT_NEAR(std::abs(azimuthOf(profile, workspace.poses[1])), 0.5 * kPi, 1e-9);
 }
 
 }  // namespace

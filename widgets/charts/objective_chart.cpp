@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "charts/axis.h"
-#include "layers/turntable_layer.h"
 #include "planning/choice.h"
+#include "scanner/table_turn.h"
 
 namespace vantage {
 namespace {

@@ -122,13 +122,6 @@ void showArrow(vtkActor& actor, double radius, std::optional<double> azimuth) {
 
 }  // namespace
 
-double azimuthOf(const ScannerProfile& profile, const Pose& T_object_scanner) {
-  const RayGrid& grid = *profile.rays;
-  const Vec3 middle = grid.rayAt({0.5 * (grid.rows() - 1), 0.5 * (grid.columns() - 1)}).origin;
-  const Vec3 place = T_object_scanner * middle;
-  return std::atan2(place.y(), place.x());
-}
-
 TurntableLayer::TurntableLayer(Scene& scene)
     : scene_(scene),
       disc_(makeActor()),

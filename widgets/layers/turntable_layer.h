@@ -31,8 +31,4 @@ class TurntableLayer {
   double radius_ = 0.0;
 };
 
-/// Where the scanner stands, seen from above: the azimuth of the middle of its light sources [rad], counter-clockwise
-/// from +x.
-[[nodiscard]] double azimuthOf(const ScannerProfile& profile, const Pose& T_object_scanner);
-
 }  // namespace vantage

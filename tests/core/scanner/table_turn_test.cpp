@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "base/errors.h"
+#include "scanner/ray_patterns.h"
 
 namespace vantage {
 namespace {
@@ -33,6 +34,17 @@ TEST(TableTurn, TellsTiltFromTurn) {
 TEST(TableTurn, RefusesPositionsThatTheWorkspaceDoesNotHave) {
   EXPECT_THROW(static_cast<void>(turnBetween(turntable(4), 0, 4)), InvalidInput);
   EXPECT_THROW(static_cast<void>(turnBetween(turntable(4), -1, 0)), InvalidInput);
+}
+
+TEST(AzimuthOf, IsWhereTheScannerStandsSeenFromTheObject) {
+  ScannerProfile profile;
+  profile.rays =
+      std::make_shared<const RayGrid>(makeRays(LinearStripe{{200.0, 0.0, 30.0}, 40.0, 5, 9, 80.0}, ReceiverOffsets{}));
+  const Workspace workspace = turntable(4);
+  EXPECT_TRUE(scannerPlace(profile, workspace.poses[0]).isApprox(Vec3(200.0, 0.0, 30.0), 1e-12));
+  EXPECT_NEAR(azimuthOf(profile, workspace.poses[0]), 0.0, 1e-9);
+  EXPECT_NEAR(azimuthOf(profile, workspace.poses[1]), 0.5 * kPi, 1e-9);
+  EXPECT_NEAR(azimuthOf(profile, workspace.poses[3]), -0.5 * kPi, 1e-9);
 }
 
 }  // namespace
