@@ -18,7 +18,8 @@ struct PlanPictures {
 
 PlanPictures computePictures(const ViewSnapshot& snapshot, const Progress& progress) {
   const AcquisitionState& state = *snapshot.state;
-  const PlanInput input{*state.profile, *snapshot.scannerImages, *state.model, state.views, snapshot.current()};
+  const PlanInput input{*state.profile, *snapshot.scannerImages, *state.model, state.views,
+                        snapshot.current().value_or(-1)};
   PlanPictures pictures;
   pictures.images = std::make_shared<const PlanImages>(
       computePlanImages(input, *snapshot.plan->voids, stepOptionsFor(state).planner, progress.part(0.0, 0.9)));
@@ -26,14 +27,15 @@ PlanPictures computePictures(const ViewSnapshot& snapshot, const Progress& progr
   return pictures;
 }
 
-// The proposed position; when nothing is proposed, the one that comes nearest to it. -1 without a plan.
-int positionToExplain(const ViewSnapshot& snapshot) {
-  if (snapshot.proposed() >= 0 || !snapshot.plan) return snapshot.proposed();
+// The proposed position; when nothing is proposed, the one that comes nearest to it; none without a plan.
+std::optional<int> positionToExplain(const ViewSnapshot& snapshot) {
+  if (snapshot.proposed() || !snapshot.plan) return snapshot.proposed();
   const std::vector<PositionScore>& scores = snapshot.plan->scores;
   const auto best = std::max_element(scores.begin(), scores.end(), [](const PositionScore& a, const PositionScore& b) {
     return promise(a) < promise(b);
   });
-  return best == scores.end() ? -1 : best->position;
+  if (best == scores.end()) return std::nullopt;
+  return best->position;
 }
 
 }  // namespace
@@ -94,7 +96,7 @@ void SessionViews::refresh() {
           : tr("This is the session as it was after view %1. Back to now").arg(state ? state->views.size() : 0));
   requestImages();
   examine(positionToExplain(*snapshot_));
-  if (snapshot_->proposed() < 0) model_->view().examine(std::nullopt);
+  if (!snapshot_->proposed()) model_->view().examine(std::nullopt);
 }
 
 void SessionViews::showSnapshot(const SharedSnapshot& snapshot) {
@@ -123,10 +125,9 @@ void SessionViews::requestImages() {
       });
 }
 
-void SessionViews::pickCell(int row, int column) {
-  if (!snapshot_ || !snapshot_->scannerImages || row < 0) return;
-  const auto columns = static_cast<std::uint32_t>(snapshot_->scannerImages->data().shape.columns);
-  const std::uint32_t cell = static_cast<std::uint32_t>(row) * columns + static_cast<std::uint32_t>(column);
+void SessionViews::pickCell(const MapCell& picked) {
+  if (!snapshot_ || !snapshot_->scannerImages) return;
+  const auto cell = static_cast<std::uint32_t>(picked.row * snapshot_->scannerImages->grid().columns() + picked.column);
   space_->view().highlightCells({cell});
   map_->highlightCells({cell});
   if (links_) model_->view().highlight(links_->patchesThrough(cell));
@@ -140,13 +141,16 @@ void SessionViews::pickPatch(std::uint32_t patch) {
   map_->highlightCells(cells);
 }
 
-void SessionViews::examine(int position) {
-  inspector_.inspect(snapshot_ ? snapshot_->state : nullptr, position);
+void SessionViews::examine(std::optional<int> position) {
+  if (position && snapshot_)
+    inspector_.inspect(snapshot_->state, *position);
+  else
+    inspector_.forget();
   objective_->examine(position);
   space_->setPosition(position);
-  const bool asked = position >= 0 && snapshot_ && position != snapshot_->proposed();
-  model_->view().examine(asked ? std::optional(position) : std::nullopt);
-  if (position >= 0) emit positionExamined(position);
+  const bool asked = snapshot_ && position != snapshot_->proposed();
+  model_->view().examine(asked ? position : std::nullopt);
+  if (position) emit positionExamined(*position);
 }
 
 void SessionViews::setTheme(const Theme& theme) {

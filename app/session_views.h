@@ -2,6 +2,7 @@
 
 #include <QObject>
 #include <memory>
+#include <optional>
 
 #include "docks/model_pane.h"
 #include "docks/positional_pane.h"
@@ -29,8 +30,8 @@ class SessionViews final : public QObject {
 
   void setTheme(const Theme& theme);
   void setNavigation(NavigationScheme scheme);
-  /// Asks about a position.
-  void examine(int position);
+  /// Asks about a position; unset for none.
+  void examine(std::optional<int> position);
 
  signals:
   void positionExamined(int position);
@@ -43,7 +44,7 @@ class SessionViews final : public QObject {
   void refresh();
   void showSnapshot(const SharedSnapshot& snapshot);
   void requestImages();
-  void pickCell(int row, int column);
+  void pickCell(const vantage::MapCell& cell);
   void pickPatch(std::uint32_t patch);
 
   SessionController& controller_;

@@ -86,7 +86,7 @@ QImage modelPicture(const RenderArguments& args, const SharedSnapshot& snapshot,
   ModelScene scene;
   ModelViewOptions options;
   options.voidPatches = args.view == "void";
-  options.voidColouring = snapshot->proposed() >= 0 ? VoidColouring::EdgeClass : VoidColouring::State;
+  options.voidColouring = snapshot->proposed() ? VoidColouring::EdgeClass : VoidColouring::State;
   scene.setTheme(theme);
   scene.setOptions(options);
   scene.set(snapshot, geometryOf(*snapshot));
@@ -102,8 +102,7 @@ QImage positionalPicture(const RenderArguments& args, const SharedSnapshot& snap
   if (args.view == "ps-seen") options.kind = PositionalImageKind::Seen;
   if (args.view == "ps-scanner") {
     options.kind = PositionalImageKind::Scanner;
-    const int position = snapshot->proposed() >= 0 ? snapshot->proposed() : snapshot->current();
-    if (position >= 0) options.position = position;
+    options.position = snapshot->foremost();
   }
   scene.setTheme(theme);
   scene.setOptions(options);

@@ -46,7 +46,7 @@ PositionalPane::PositionalPane(const SurfaceMaker& surfaces, const std::shared_p
   connect(direction_, &QComboBox::currentIndexChanged, this, &PositionalPane::apply);
 }
 
-void PositionalPane::setPosition(int position) {
+void PositionalPane::setPosition(std::optional<int> position) {
   position_ = position;
   if (kind_->currentIndex() == static_cast<int>(PositionalImageKind::Scanner)) apply();
 }
@@ -58,8 +58,7 @@ void PositionalPane::apply() {
   if (const int chosen = direction_->currentIndex() - 1; chosen >= 0)
     options.direction =
         DirectionWindow{radians(kDirections[chosen].phi), radians(kDirections[chosen].psi), radians(8.0)};
-  options.position.reset();
-  if (position_ >= 0) options.position = position_;
+  options.position = position_;
   view_->setOptions(options);
   emit optionsChanged(options);
 }

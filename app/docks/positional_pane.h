@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QWidget>
+#include <optional>
 
 #include "views/positional_space_view.h"
 
@@ -16,8 +17,8 @@ class PositionalPane final : public QWidget {
   PositionalPane(const SurfaceMaker& surfaces, const std::shared_ptr<GeometryStore>& store, QWidget* parent = nullptr);
 
   [[nodiscard]] PositionalSpaceView& view() { return *view_; }
-  /// The position whose image of the scanner is shown; -1 for all.
-  void setPosition(int position);
+  /// The position whose image of the scanner is shown; unset for all.
+  void setPosition(std::optional<int> position);
 
  signals:
   void optionsChanged(const vantage::PositionalViewOptions& options);
@@ -28,7 +29,7 @@ class PositionalPane final : public QWidget {
   PositionalSpaceView* view_;
   QComboBox* kind_;
   QComboBox* direction_;
-  int position_ = -1;
+  std::optional<int> position_;
 };
 
 }  // namespace vantage

@@ -13,7 +13,7 @@ struct BarChart {
   std::vector<double> values;       ///< not negative, finite
   std::optional<double> threshold;  ///< a dashed line at this value
   std::string thresholdName;
-  int marked = -1;  ///< index of the column that stands out; -1 for none
+  std::optional<int> marked;  ///< index of the column that stands out
 };
 
 /// A line through one point per view.

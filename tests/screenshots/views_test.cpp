@@ -58,7 +58,7 @@ class Views : public ::testing::TestWithParam<std::string> {
     view.setTheme(theme());
     view.setOptions(options);
     view.setSnapshot(mugUnderWay());
-    view.pointAt(6, 20);
+    view.pointAt(MapCell{6, 20});
     return grab(view, kWide);
   }
 
@@ -159,7 +159,7 @@ TEST_P(Views, PositionalSpaceOfTheSeen) {
 }
 
 TEST_P(Views, PositionalSpaceOfTheScanner) {
-  const int proposed = mugUnderWay()->proposed();
+  const int proposed = mugUnderWay()->proposed().value();
   const QImage image = positional({.kind = PositionalImageKind::Scanner, .position = proposed});
   expectTitle(image, QString("P_c: rays of position %1").arg(proposed));
   EXPECT_TRUE(matchesBaseline(image, named("ps_scanner")));
@@ -191,7 +191,7 @@ TEST_P(Views, UnrolledMapOfTheScanner) {
 
 TEST_P(Views, ObjectiveAsADial) {
   const QImage image = objective(mugUnderWay(), ObjectiveStyle::Dial, kSize);
-  expectTitle(image, QString("Next best view: position %1").arg(mugUnderWay()->proposed()));
+  expectTitle(image, QString("Next best view: position %1").arg(mugUnderWay()->proposed().value()));
   EXPECT_TRUE(showsText(image, "o_s: overlap", theme().text, 11.0));
   EXPECT_TRUE(showsColour(image, toColour(categoryColour(1)), 0.001));
   EXPECT_TRUE(showsColour(image, theme().threshold, 0.0005, 60));
@@ -214,9 +214,10 @@ TEST_P(Views, PictureOfTheScanner) {
   const SharedSnapshot snapshot = mugUnderWay();
   ScannerPictureView view;
   view.setTheme(theme());
-  view.setPicture(std::make_shared<const ScannerPicture>(computeScannerPicture(
-                      *snapshot->profile(), snapshot->proposed(), *snapshot->model(), snapshot->plan->voids.get())),
-                  "What the scanner would see");
+  view.setPicture(
+      std::make_shared<const ScannerPicture>(computeScannerPicture(*snapshot->profile(), snapshot->proposed().value(),
+                                                                   *snapshot->model(), snapshot->plan->voids.get())),
+      "What the scanner would see");
   const QImage image = grab(view, kSize);
   expectTitle(image, "What the scanner would see");
   EXPECT_TRUE(showsColour(image, toColour(categoryColour(1)), 0.001));

@@ -27,10 +27,10 @@ TEST(ObjectiveChart, ADialHasZeroDegreesToTheRightAndRunsCounterClockwise) {
   std::array<int, 12> count{};
   for (int y = 0; y < 400; y += 2)
     for (int x = 0; x < 500; x += 2) {
-      const int position = positionAt(QPointF(x, y), kArea, data, ObjectiveStyle::Dial);
-      if (position < 0) continue;
-      sum[static_cast<std::size_t>(position)] += QPointF(x, y);
-      ++count[static_cast<std::size_t>(position)];
+      const auto position = positionAt(QPointF(x, y), kArea, data, ObjectiveStyle::Dial);
+      if (!position) continue;
+      sum[static_cast<std::size_t>(*position)] += QPointF(x, y);
+      ++count[static_cast<std::size_t>(*position)];
     }
   for (const int n : count) ASSERT_GT(n, 0);
   const QPointF right = sum[0] / count[0];
@@ -43,10 +43,10 @@ TEST(ObjectiveChart, ADialHasZeroDegreesToTheRightAndRunsCounterClockwise) {
 
 TEST(ObjectiveChart, BarsRunThroughThePositionsFromLeftToRight) {
   const ObjectiveChartData data = twelve();
-  int before = -1;
+  std::optional<int> before;
   for (int x = 0; x < 500; ++x) {
-    const int position = positionAt(QPointF(x, 200.0), kArea, data, ObjectiveStyle::Bars);
-    if (position < 0) continue;
+    const auto position = positionAt(QPointF(x, 200.0), kArea, data, ObjectiveStyle::Bars);
+    if (!position) continue;
     EXPECT_GE(position, before);
     before = position;
   }
@@ -55,8 +55,8 @@ TEST(ObjectiveChart, BarsRunThroughThePositionsFromLeftToRight) {
 
 TEST(ObjectiveChart, OutsideIsNoPosition) {
   for (const auto style : {ObjectiveStyle::Dial, ObjectiveStyle::Bars}) {
-    EXPECT_EQ(positionAt({1.0, 1.0}, kArea, twelve(), style), -1);
-    EXPECT_EQ(positionAt({250.0, 200.0}, kArea, {}, style), -1);
+    EXPECT_EQ(positionAt({1.0, 1.0}, kArea, twelve(), style), std::nullopt);
+    EXPECT_EQ(positionAt({250.0, 200.0}, kArea, {}, style), std::nullopt);
   }
 }
 
@@ -65,13 +65,13 @@ TEST(UnrolledMap, ColumnsBeginAtTheAzimuthOfTheFirstAndRowsBelow) {
   shape.rows = 4;
   shape.columns = 8;
   shape.firstColumn = radians(-22.5);
-  const MapCell low = cellAt({100.0, 340.0}, kArea, shape);
-  ASSERT_GE(low.row, 0);
-  EXPECT_EQ(low.row, 0);
+  const auto low = cellAt({100.0, 340.0}, kArea, shape);
+  ASSERT_TRUE(low.has_value());
+  EXPECT_EQ(low->row, 0);
   std::vector<int> columns;
   for (int x = 0; x < 500; ++x) {
-    const MapCell cell = cellAt({static_cast<double>(x), 200.0}, kArea, shape);
-    if (cell.column >= 0 && (columns.empty() || columns.back() != cell.column)) columns.push_back(cell.column);
+    const auto cell = cellAt({static_cast<double>(x), 200.0}, kArea, shape);
+    if (cell && (columns.empty() || columns.back() != cell->column)) columns.push_back(cell->column);
   }
   // Column 0 lies about azimuth 0: it is met at both ends of the map.
   EXPECT_EQ(columns, (std::vector<int>{0, 1, 2, 3, 4, 5, 6, 7, 0}));

@@ -52,14 +52,13 @@ QString areaText(double value) {
 // Title, and what the marked position has.
 void paintHead(QPainter& painter, const QRectF& area, const ObjectiveChartData& data, const ObjectiveMarks& marks,
                const Theme& theme) {
-  const int told = marks.hovered >= 0 ? marks.hovered : marks.examined >= 0 ? marks.examined : data.chosen;
-  QString title =
-      data.chosen >= 0 ? Text::tr("Next best view: position %1").arg(data.chosen) : Text::tr("No next view");
+  const std::optional<int> told = marks.hovered ? marks.hovered : marks.examined ? marks.examined : data.chosen;
+  QString title = data.chosen ? Text::tr("Next best view: position %1").arg(*data.chosen) : Text::tr("No next view");
   paintOverlay(painter, area, {{title}, {}}, theme);
-  if (told < 0 || told >= static_cast<int>(data.positions.size())) return;
-  const auto& p = data.positions[static_cast<std::size_t>(told)];
+  if (!told || *told >= static_cast<int>(data.positions.size())) return;
+  const auto& p = data.positions[static_cast<std::size_t>(*told)];
   const QString line = Text::tr("position %1: void %2, overlap %3")
-                           .arg(QString::number(told), areaText(p.voidArea), areaText(p.overlapArea)) +
+                           .arg(QString::number(*told), areaText(p.voidArea), areaText(p.overlapArea)) +
                        (p.taken     ? Text::tr(", taken")
                         : p.allowed ? QString()
                                     : Text::tr(", ruled out"));
@@ -167,9 +166,9 @@ void paintDial(QPainter& painter, const QRectF& area, const ObjectiveChartData& 
   for (int degree = 0; degree < 360; degree += 90)
     paintText(painter, dial.at(dial.outer + kLabelDistance, radians(degree)), Qt::AlignHCenter | Qt::AlignVCenter,
               QString::number(degree) + QChar(0x00B0), theme.mutedText);
-  const auto mark = [&](int position, const QColor& colour) {
-    if (position >= 0 && position < static_cast<int>(data.positions.size()))
-      paintMarker(painter, dial, data.positions[static_cast<std::size_t>(position)].azimuth, colour);
+  const auto mark = [&](std::optional<int> position, const QColor& colour) {
+    if (position && *position < static_cast<int>(data.positions.size()))
+      paintMarker(painter, dial, data.positions[static_cast<std::size_t>(*position)].azimuth, colour);
   };
   mark(data.current, theme.current);
   mark(marks.examined, theme.examined);
@@ -246,13 +245,13 @@ void paintBars(QPainter& painter, const QRectF& area, const ObjectiveChartData& 
         shaded(overlapColour(), p.overlapArea > data.leastOverlap));
   }
   paintPositions(painter, bars, data, theme);
-  const auto mark = [&](int position, const QColor& colour, const QString& label) {
-    if (position >= 0 && position < static_cast<int>(data.positions.size()))
-      paintBarMarker(painter, bars, position, colour, label);
+  const auto mark = [&](std::optional<int> position, const QColor& colour, const QString& label) {
+    if (position && *position < static_cast<int>(data.positions.size()))
+      paintBarMarker(painter, bars, *position, colour, label);
   };
   mark(data.current, theme.current, {});
   mark(marks.examined, theme.examined, {});
-  mark(data.chosen, theme.proposed, QString::number(data.chosen));
+  mark(data.chosen, theme.proposed, QString::number(data.chosen.value_or(0)));
   mark(marks.hovered, theme.text, {});
 }
 
@@ -302,21 +301,22 @@ void paintObjective(QPainter& painter, const QRectF& area, const ObjectiveChartD
   paintFoot(painter, area, data, theme);
 }
 
-int positionAt(const QPointF& point, const QRectF& area, const ObjectiveChartData& data, ObjectiveStyle style) {
-  if (data.empty()) return -1;
+std::optional<int> positionAt(const QPointF& point, const QRectF& area, const ObjectiveChartData& data,
+                              ObjectiveStyle style) {
+  if (data.empty()) return std::nullopt;
   const auto count = static_cast<int>(data.positions.size());
   if (style == ObjectiveStyle::Bars) {
     const Bars bars(area, data.positions.size());
     const QRectF both = bars.upper.united(bars.lower);
-    if (!both.contains(point)) return -1;
+    if (!both.contains(point)) return std::nullopt;
     return std::clamp(static_cast<int>((point.x() - both.left()) / bars.step), 0, count - 1);
   }
   const Dial dial(area);
   const QPointF offset = point - dial.centre;
   const double radius = std::hypot(offset.x(), offset.y());
-  if (radius < dial.inner || radius > dial.outer + 12.0) return -1;
+  if (radius < dial.inner || radius > dial.outer + 12.0) return std::nullopt;
   const double azimuth = std::atan2(-offset.y(), offset.x());
-  int nearest = -1;
+  std::optional<int> nearest;
   double least = 4.0;
   for (int i = 0; i < count; ++i) {
     const double apart =

@@ -2,6 +2,7 @@
 
 #include <QPainter>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "layers/view_snapshot.h"
@@ -28,26 +29,26 @@ struct ObjectiveChartData {
   double mostOverlap = 0.0;           ///< [mm^2]
   double leastOverlap = 0.0;          ///< t [mm^2]
   double terminationThreshold = 0.0;  ///< F [mm^2]
-  int current = -1;
-  int chosen = -1;
-  bool turntable = false;  ///< positions share one circle, so that a dial shows them all
+  std::optional<int> current;         ///< where the last view was taken
+  std::optional<int> chosen;          ///< the next best view
+  bool turntable = false;             ///< positions share one circle, so that a dial shows them all
 
   [[nodiscard]] bool empty() const { return positions.empty(); }
 };
 
 [[nodiscard]] ObjectiveChartData objectiveChartData(const ViewSnapshot& snapshot);
 
-/// What is marked besides the choice; -1 for nothing.
+/// What is marked besides the choice.
 struct ObjectiveMarks {
-  int hovered = -1;
-  int examined = -1;
+  std::optional<int> hovered;
+  std::optional<int> examined;
 };
 
 void paintObjective(QPainter& painter, const QRectF& area, const ObjectiveChartData& data, ObjectiveStyle style,
                     const ObjectiveMarks& marks, const Theme& theme);
 
-/// The position under a point of the chart painted in that area; -1 for none.
-[[nodiscard]] int positionAt(const QPointF& point, const QRectF& area, const ObjectiveChartData& data,
-                             ObjectiveStyle style);
+/// The position under a point of the chart painted in that area; unset for none.
+[[nodiscard]] std::optional<int> positionAt(const QPointF& point, const QRectF& area, const ObjectiveChartData& data,
+                                            ObjectiveStyle style);
 
 }  // namespace vantage

@@ -35,12 +35,12 @@ Layout layoutOf(const QRectF& area, const PositionalSpaceShape& shape) {
 }
 
 // A cell that runs over the seam at 360 degrees is drawn on both sides.
-std::vector<QRectF> rectsOf(const Layout& layout, int row, int column) {
-  const double begin = layout.startOf(column);
+std::vector<QRectF> rectsOf(const Layout& layout, const MapCell& cell) {
+  const double begin = layout.startOf(cell.column);
   const double end = begin + layout.azimuthStep();
   const auto rect = [&](double from, double to) {
-    return QRectF(QPointF(layout.xOf(from), layout.yOf(row)),
-                  QPointF(layout.xOf(to), layout.yOf(row) + layout.bandHeight()));
+    return QRectF(QPointF(layout.xOf(from), layout.yOf(cell.row)),
+                  QPointF(layout.xOf(to), layout.yOf(cell.row) + layout.bandHeight()));
   };
   if (end <= 2.0 * kPi + 1e-9) return {rect(begin, end)};
   return {rect(begin, 2.0 * kPi), rect(0.0, end - 2.0 * kPi)};
@@ -50,17 +50,17 @@ void paintCells(QPainter& painter, const Layout& layout, const CellField& field)
   painter.setRenderHint(QPainter::Antialiasing, false);
   for (int row = 0; row < field.shape.rows; ++row)
     for (int column = 0; column < field.shape.columns; ++column) {
-      const double share = field.maximum > 0.0 ? field.at(row, column) / field.maximum : 0.0;
-      for (const QRectF& rect : rectsOf(layout, row, column))
+      const double share = field.maximum > 0.0 ? field.at({row, column}) / field.maximum : 0.0;
+      for (const QRectF& rect : rectsOf(layout, {row, column}))
         painter.fillRect(rect.adjusted(0.0, 0.0, 0.5, 0.5), toColour(colourAt(field.map, share)));
     }
   painter.setRenderHint(QPainter::Antialiasing, true);
 }
 
-void outline(QPainter& painter, const Layout& layout, int row, int column, const QPen& pen) {
+void outline(QPainter& painter, const Layout& layout, const MapCell& cell, const QPen& pen) {
   painter.setPen(pen);
   painter.setBrush(Qt::NoBrush);
-  for (const QRectF& rect : rectsOf(layout, row, column)) painter.drawRect(rect);
+  for (const QRectF& rect : rectsOf(layout, cell)) painter.drawRect(rect);
 }
 
 void paintAxes(QPainter& painter, const Layout& layout, const Theme& theme) {
@@ -101,11 +101,12 @@ void paintUnrolledMap(QPainter& painter, const QRectF& area, const CellField& fi
   painter.save();
   painter.setClipRect(layout.map.adjusted(-1.0, -1.0, 1.0, 1.0));
   for (const std::uint32_t cell : marks.cells)
-    outline(painter, layout, static_cast<int>(cell) / field.shape.columns, static_cast<int>(cell) % field.shape.columns,
+    outline(painter, layout,
+            {static_cast<int>(cell) / field.shape.columns, static_cast<int>(cell) % field.shape.columns},
             QPen(theme.examined, 1.5));
-  if (marks.row >= 0 && marks.column >= 0) {
-    outline(painter, layout, marks.row, marks.column, QPen(Qt::black, 3.0));
-    outline(painter, layout, marks.row, marks.column, QPen(Qt::white, 1.5));
+  if (marks.pointed) {
+    outline(painter, layout, *marks.pointed, QPen(Qt::black, 3.0));
+    outline(painter, layout, *marks.pointed, QPen(Qt::white, 1.5));
   }
   painter.restore();
   paintScaleLine(
@@ -113,15 +114,15 @@ void paintUnrolledMap(QPainter& painter, const QRectF& area, const CellField& fi
       {QCoreApplication::translate("PositionalSpace", "per cell"), field.unit, 0.0, field.maximum, field.map}, theme);
 }
 
-MapCell cellAt(const QPointF& point, const QRectF& area, const PositionalSpaceShape& shape) {
+std::optional<MapCell> cellAt(const QPointF& point, const QRectF& area, const PositionalSpaceShape& shape) {
   const Layout layout = layoutOf(area, shape);
-  if (!layout.map.contains(point)) return {};
+  if (!layout.map.contains(point)) return std::nullopt;
   const double azimuth = (point.x() - layout.map.left()) / layout.map.width() * 2.0 * kPi;
   double offset = std::fmod(azimuth - shape.firstColumn, 2.0 * kPi);
   if (offset < 0.0) offset += 2.0 * kPi;
   const int column = std::min(static_cast<int>(offset / layout.azimuthStep()), shape.columns - 1);
   const int row = std::min(static_cast<int>((layout.map.bottom() - point.y()) / layout.bandHeight()), shape.rows - 1);
-  return {row, column};
+  return MapCell{row, column};
 }
 
 }  // namespace vantage

@@ -2,6 +2,7 @@
 
 #include <QPainter>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "layers/cell_field.h"
@@ -12,8 +13,7 @@ namespace vantage {
 /// What is marked in an unrolled map.
 struct UnrolledMapMarks {
   std::vector<std::uint32_t> cells;  ///< row * columns + column
-  int row = -1;                      ///< of the cell pointed at; -1 for none
-  int column = -1;
+  std::optional<MapCell> pointed;    ///< the cell pointed at
 };
 
 /// A field unrolled: azimuth to the right from 0 to 360 degrees, height upward, with axes and legend.
@@ -21,11 +21,8 @@ struct UnrolledMapMarks {
 void paintUnrolledMap(QPainter& painter, const QRectF& area, const CellField& field, const QStringList& notes,
                       const UnrolledMapMarks& marks, const Theme& theme);
 
-struct MapCell {
-  int row = -1;
-  int column = -1;
-};
-/// The cell under a point of the map painted in that area; -1 for none.
-[[nodiscard]] MapCell cellAt(const QPointF& point, const QRectF& area, const PositionalSpaceShape& shape);
+/// The cell under a point of the map painted in that area; unset for none.
+[[nodiscard]] std::optional<MapCell> cellAt(const QPointF& point, const QRectF& area,
+                                            const PositionalSpaceShape& shape);
 
 }  // namespace vantage

@@ -11,11 +11,6 @@ struct Text {
   Q_DECLARE_TR_FUNCTIONS(PositionalSpace)
 };
 
-std::size_t surfaceIndex(const PositionalSpaceShape& shape, const PositionalCell& cell) {
-  return static_cast<std::size_t>(cell.row) * static_cast<std::size_t>(shape.columns) +
-         static_cast<std::size_t>(cell.column);
-}
-
 // Whether a cell's direction lies in the window.
 bool inside(const PositionalCell& cell, const PositionalSpaceShape& shape,
             const std::optional<DirectionWindow>& window) {
@@ -32,7 +27,8 @@ void sumImage(const PositionalImage& image, const ScannerImages& images, const P
   for (std::uint32_t number = 0; number < image.sums.size(); ++number) {
     if (image.sums[number] == 0) continue;
     const PositionalCell cell = images.cell(number);
-    if (inside(cell, field.shape, options.direction)) field.values[surfaceIndex(field.shape, cell)] += image.at(number);
+    if (inside(cell, field.shape, options.direction))
+      field.values[field.numberOf({cell.row, cell.column})] += image.at(number);
   }
 }
 
@@ -42,7 +38,7 @@ void countPositions(const ScannerImages& images, const PositionalViewOptions& op
   for (int position = std::max(0, first); position <= std::min(last, images.positions() - 1); ++position)
     for (const std::uint32_t number : images.image(position)) {
       const PositionalCell cell = images.cell(number);
-      if (inside(cell, field.shape, options.direction)) field.values[surfaceIndex(field.shape, cell)] += 1.0;
+      if (inside(cell, field.shape, options.direction)) field.values[field.numberOf({cell.row, cell.column})] += 1.0;
     }
 }
 

@@ -36,6 +36,14 @@ struct PositionalViewOptions {
   bool operator==(const PositionalViewOptions&) const = default;
 };
 
+/// A cell of the surface of positional space.
+struct MapCell {
+  int row = 0;
+  int column = 0;
+
+  bool operator==(const MapCell&) const = default;
+};
+
 /// A value for every cell of the surface of positional space.
 struct CellField {
   PositionalSpaceShape shape;
@@ -45,9 +53,9 @@ struct CellField {
   QString unit;   ///< "mm²"
   ColourMap map = ColourMap::Viridis;
 
-  [[nodiscard]] double at(int row, int column) const {
-    return values[static_cast<std::size_t>(row) * static_cast<std::size_t>(shape.columns) +
-                  static_cast<std::size_t>(column)];
+  [[nodiscard]] double at(const MapCell& cell) const { return values[numberOf(cell)]; }
+  [[nodiscard]] std::uint32_t numberOf(const MapCell& cell) const {  ///< row * columns + column
+    return static_cast<std::uint32_t>(cell.row * shape.columns + cell.column);
   }
 };
 

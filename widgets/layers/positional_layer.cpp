@@ -82,15 +82,15 @@ void PositionalLayer::setTheme(const Theme& theme) {
   scene_.change([this, &theme] { setColour(*highlighted_, toRgb(theme.examined)); });
 }
 
-std::optional<PositionalLayer::Pick> PositionalLayer::pick(const SightLine& line) const {
-  std::optional<Pick> far;
+std::optional<MapCell> PositionalLayer::pick(const SightLine& line) const {
+  std::optional<MapCell> far;
   double farthest = 0.0;
   // The surface is met twice, first in the half toward the eye: the far half is where the line leaves.
   for (std::size_t cell = 0; cell < quads_.size(); ++cell) {
     const auto distance = distanceTo(quads_[cell], line);
     if (!distance || *distance < farthest || !leaves(quads_[cell], line)) continue;
     farthest = *distance;
-    far = Pick{static_cast<int>(cell) / columns_, static_cast<int>(cell) % columns_};
+    far = MapCell{static_cast<int>(cell) / columns_, static_cast<int>(cell) % columns_};
   }
   return far;
 }

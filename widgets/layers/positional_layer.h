@@ -21,12 +21,8 @@ class PositionalLayer {
   void highlight(const std::vector<std::uint32_t>& cells);  ///< row * columns + column
   void setTheme(const Theme& theme);
 
-  struct Pick {
-    int row;
-    int column;
-  };
   /// The cell that is seen under a line: of the far half.
-  [[nodiscard]] std::optional<Pick> pick(const SightLine& line) const;
+  [[nodiscard]] std::optional<MapCell> pick(const SightLine& line) const;
 
  private:
   Scene& scene_;

@@ -22,11 +22,11 @@ struct Directions {
   double highPsi = -1e9;
 };
 
-Directions directionsOf(const ScannerImages& images, int row, int column) {
+Directions directionsOf(const ScannerImages& images, const MapCell& at) {
   const auto& data = images.data();
   const int columnsPerPeriod = data.shape.columns / data.periods;
-  const auto surface = static_cast<std::size_t>(row) * static_cast<std::size_t>(columnsPerPeriod) +
-                       static_cast<std::size_t>(column % columnsPerPeriod);
+  const auto surface = static_cast<std::size_t>(at.row) * static_cast<std::size_t>(columnsPerPeriod) +
+                       static_cast<std::size_t>(at.column % columnsPerPeriod);
   const double step = kPi / data.shape.directions;
   Directions result;
   for (std::uint32_t k = data.surfaceStart[surface]; k < data.surfaceStart[surface + 1]; ++k) {
@@ -79,14 +79,15 @@ std::vector<std::uint32_t> PositionalLinks::cellsOf(std::uint32_t patch) const {
   return linked(cellsOfPatch_, patch);
 }
 
-QStringList describeCell(const ViewSnapshot& snapshot, const CellField& field, int row, int column) {
-  const SurfaceCell& cell = snapshot.scannerImages->grid().surfaceCell(row, column);
+QStringList describeCell(const ViewSnapshot& snapshot, const CellField& field, const MapCell& at) {
+  const SurfaceCell& cell = snapshot.scannerImages->grid().surfaceCell(at.row, at.column);
   const double azimuth = std::atan2(cell.centre.y(), cell.centre.x());
   QStringList lines;
   lines << Text::tr("row %1, column %2: %3 at z %4 mm, %5 %6")
-               .arg(QString::number(row), QString::number(column), angle(azimuth < 0.0 ? azimuth + 2.0 * kPi : azimuth),
-                    QString::number(std::lround(cell.centre.z())), shortNumber(field.at(row, column)), field.unit);
-  const Directions directions = directionsOf(*snapshot.scannerImages, row, column);
+               .arg(QString::number(at.row), QString::number(at.column),
+                    angle(azimuth < 0.0 ? azimuth + 2.0 * kPi : azimuth), QString::number(std::lround(cell.centre.z())),
+                    shortNumber(field.at(at)), field.unit);
+  const Directions directions = directionsOf(*snapshot.scannerImages, at);
   lines << (directions.cells == 0
                 ? Text::tr("no ranging ray leaves through it")
                 : Text::tr("rays in %1 directions, %2 to %3 aside, %4 to %5 up")

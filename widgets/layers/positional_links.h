@@ -32,6 +32,6 @@ class PositionalLinks {
 
 /// What hovering over a cell tells, a line each: where it is and its value; in which directions rays of how many
 /// positions leave through it.
-[[nodiscard]] QStringList describeCell(const ViewSnapshot& snapshot, const CellField& field, int row, int column);
+[[nodiscard]] QStringList describeCell(const ViewSnapshot& snapshot, const CellField& field, const MapCell& at);
 
 }  // namespace vantage

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "acquisition/acquisition_state.h"
 #include "planning/plan_images.h"
@@ -18,12 +19,18 @@ struct ViewSnapshot {
 
   [[nodiscard]] const ScannerProfile* profile() const { return state ? state->profile.get() : nullptr; }
   [[nodiscard]] const Model* model() const { return state ? state->model.get() : nullptr; }
-  /// Position of the last view; -1 for none.
-  [[nodiscard]] int current() const {
-    return state && !state->views.empty() ? state->views.back().image->position : -1;
+  /// Position of the last view; unset for none, or when it was recorded elsewhere.
+  [[nodiscard]] std::optional<int> current() const {
+    if (!state || state->views.empty() || state->views.back().image->position < 0) return std::nullopt;
+    return state->views.back().image->position;
   }
-  /// The next best view; -1 for none.
-  [[nodiscard]] int proposed() const { return plan && plan->outcome == PlanOutcome::Found ? plan->position : -1; }
+  /// Position of the next best view; unset for none.
+  [[nodiscard]] std::optional<int> proposed() const {
+    if (!plan || plan->outcome != PlanOutcome::Found) return std::nullopt;
+    return plan->position;
+  }
+  /// The position that is spoken of first: the proposed one, else that of the last view.
+  [[nodiscard]] std::optional<int> foremost() const { return proposed() ? proposed() : current(); }
 };
 
 using SharedSnapshot = std::shared_ptr<const ViewSnapshot>;

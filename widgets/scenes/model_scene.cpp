@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scanner/table_turn.h"
+
 namespace vantage {
 namespace {
 
@@ -149,16 +151,16 @@ void ModelScene::updateRays() {
   proposedRays_.setColour(examined_ ? theme_->examined : theme_->proposed);
   const ScannerProfile* profile = snapshot_ ? snapshot_->profile() : nullptr;
   if (profile == nullptr) return turntable_.mark({}, {});
-  const auto azimuth = [&](int position) -> std::optional<double> {
-    if (position < 0 || position >= static_cast<int>(profile->workspace.size())) return std::nullopt;
-    return azimuthOf(*profile, profile->workspace.poses[static_cast<std::size_t>(position)]);
+  const auto azimuth = [&](std::optional<int> position) -> std::optional<double> {
+    if (!position || *position >= static_cast<int>(profile->workspace.size())) return std::nullopt;
+    return azimuthOf(*profile, profile->workspace.poses[static_cast<std::size_t>(*position)]);
   };
-  const int asked = examined_.value_or(snapshot_->proposed());
+  const std::optional<int> asked = examined_ ? examined_ : snapshot_->proposed();
   turntable_.mark(azimuth(snapshot_->current()), azimuth(snapshot_->proposed()));
   if (options_.currentRays && !snapshot_->state->views.empty())
     currentRays_.showView(*profile, snapshot_->state->views.back());
-  if (options_.proposedRays || examined_)
-    proposedRays_.showPosition(*profile, asked, geometry_ ? geometry_->caster.get() : nullptr);
+  if (asked && (options_.proposedRays || examined_))
+    proposedRays_.showPosition(*profile, *asked, geometry_ ? geometry_->caster.get() : nullptr);
 }
 
 BoundingBox ModelScene::box() const {
@@ -176,8 +178,7 @@ BoundingBox ModelScene::box() const {
 }
 
 Camera ModelScene::camera(CameraPreset preset, double aspect) const {
-  const int position =
-      examined_.value_or(snapshot_ ? (snapshot_->proposed() >= 0 ? snapshot_->proposed() : snapshot_->current()) : -1);
+  const std::optional<int> position = examined_ ? examined_ : (snapshot_ ? snapshot_->foremost() : std::nullopt);
   return presetCamera(preset, box(), scene_.camera(), scannersEye(snapshot_.get(), position), aspect);
 }
 
@@ -211,12 +212,12 @@ Overlay ModelScene::overlay() const {
     overlay.legends.emplace_back(ScaleLegend{Text::tr("Surface by age"), Text::tr("view"), 1.0,
                                              static_cast<double>(state.views.size()), ColourMap::Viridis});
   KeyLegend rays{Text::tr("Ranging rays"), {}};
-  if (options_.currentRays)
-    rays.entries.push_back({theme_->current, Text::tr("last view, position %1").arg(snapshot_->current())});
+  if (options_.currentRays && snapshot_->current())
+    rays.entries.push_back({theme_->current, Text::tr("last view, position %1").arg(*snapshot_->current())});
   if (examined_)
     rays.entries.push_back({theme_->examined, Text::tr("examined position %1").arg(*examined_)});
-  else if (options_.proposedRays && snapshot_->proposed() >= 0)
-    rays.entries.push_back({theme_->proposed, Text::tr("proposed view, position %1").arg(snapshot_->proposed())});
+  else if (options_.proposedRays && snapshot_->proposed())
+    rays.entries.push_back({theme_->proposed, Text::tr("proposed view, position %1").arg(*snapshot_->proposed())});
   if (!rays.entries.empty()) overlay.legends.emplace_back(rays);
   return overlay;
 }
@@ -271,13 +272,10 @@ Camera presetCamera(CameraPreset preset, const BoundingBox& box, const Camera& n
   return cameraToward(Vec3(-1.0, 0.55, -0.55), box, aspect);
 }
 
-std::optional<Vec3> scannersEye(const ViewSnapshot* snapshot, int position) {
+std::optional<Vec3> scannersEye(const ViewSnapshot* snapshot, std::optional<int> position) {
   const ScannerProfile* profile = snapshot != nullptr ? snapshot->profile() : nullptr;
-  if (profile == nullptr || position < 0 || position >= static_cast<int>(profile->workspace.size()))
-    return std::nullopt;
-  const RayGrid& grid = *profile->rays;
-  return profile->workspace.poses[static_cast<std::size_t>(position)] *
-         grid.rayAt({0.5 * (grid.rows() - 1), 0.5 * (grid.columns() - 1)}).origin;
+  if (profile == nullptr || !position || *position >= static_cast<int>(profile->workspace.size())) return std::nullopt;
+  return scannerPlace(*profile, profile->workspace.poses[static_cast<std::size_t>(*position)]);
 }
 
 }  // namespace vantage

@@ -79,6 +79,6 @@ class ModelScene {
                                   const std::optional<Vec3>& eye, double aspect);
 
 /// Where the scanner's light stands at a position; unset when there is no such position.
-[[nodiscard]] std::optional<Vec3> scannersEye(const ViewSnapshot* snapshot, int position);
+[[nodiscard]] std::optional<Vec3> scannersEye(const ViewSnapshot* snapshot, std::optional<int> position);
 
 }  // namespace vantage

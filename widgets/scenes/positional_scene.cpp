@@ -42,15 +42,14 @@ void PositionalScene::highlightCells(const std::vector<std::uint32_t>& cells) {
   outline();
 }
 
-void PositionalScene::pointAt(std::optional<PositionalLayer::Pick> cell) {
+void PositionalScene::pointAt(const std::optional<MapCell>& cell) {
   pointed_ = cell;
   outline();
 }
 
 void PositionalScene::outline() {
   std::vector<std::uint32_t> cells = highlighted_;
-  if (pointed_ && field_)
-    cells.push_back(static_cast<std::uint32_t>(pointed_->row * field_->shape.columns + pointed_->column));
+  if (pointed_ && field_) cells.push_back(field_->numberOf(*pointed_));
   layer_.highlight(cells);
 }
 
@@ -73,8 +72,8 @@ BoundingBox PositionalScene::box() const {
 }
 
 Camera PositionalScene::camera(CameraPreset preset, double aspect) const {
-  const int position = options_.position.value_or(
-      snapshot_ ? (snapshot_->proposed() >= 0 ? snapshot_->proposed() : snapshot_->current()) : -1);
+  const std::optional<int> position =
+      options_.position ? options_.position : (snapshot_ ? snapshot_->foremost() : std::nullopt);
   return presetCamera(preset, box(), scene_.camera(), scannersEye(snapshot_.get(), position), aspect);
 }
 
@@ -93,7 +92,7 @@ Overlay PositionalScene::overlay() const {
                               QString::number(degrees(options_.direction->halfWidth), 'f', 1));
   else
     overlay.notes << Text::tr("summed over all directions");
-  if (pointed_) overlay.notes << describeCell(*snapshot_, *field_, pointed_->row, pointed_->column);
+  if (pointed_) overlay.notes << describeCell(*snapshot_, *field_, *pointed_);
   if (options_.legends)
     overlay.legends.emplace_back(ScaleLegend{Text::tr("Per cell"), field_->unit, 0.0, field_->maximum, field_->map});
   return overlay;

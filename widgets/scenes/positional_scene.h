@@ -30,14 +30,14 @@ class PositionalScene {
   }
   void highlightCells(const std::vector<std::uint32_t>& cells);
   /// The cell that is described in the overlay; unset for none.
-  void pointAt(std::optional<PositionalLayer::Pick> cell);
+  void pointAt(const std::optional<MapCell>& cell);
 
   [[nodiscard]] const SharedSnapshot& snapshot() const { return snapshot_; }
   [[nodiscard]] const std::optional<CellField>& field() const { return field_; }
   [[nodiscard]] BoundingBox box() const;
   [[nodiscard]] Camera camera(CameraPreset preset, double aspect) const;
   [[nodiscard]] Overlay overlay() const;
-  [[nodiscard]] std::optional<PositionalLayer::Pick> pick(const SightLine& line) const { return layer_.pick(line); }
+  [[nodiscard]] std::optional<MapCell> pick(const SightLine& line) const { return layer_.pick(line); }
 
  private:
   void update();
@@ -50,7 +50,7 @@ class PositionalScene {
   std::shared_ptr<const ModelGeometry> geometry_;
   PositionalViewOptions options_;
   std::optional<CellField> field_;
-  std::optional<PositionalLayer::Pick> pointed_;
+  std::optional<MapCell> pointed_;
   std::vector<std::uint32_t> highlighted_;
 };
 

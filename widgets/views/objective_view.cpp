@@ -14,9 +14,8 @@ ObjectiveView::ObjectiveView(QWidget* parent) : QWidget(parent), theme_(&lightTh
 
 void ObjectiveView::setSnapshot(const SharedSnapshot& snapshot) {
   data_ = snapshot ? objectiveChartData(*snapshot) : ObjectiveChartData{};
-  hovered_ = -1;
-  if (examined_ >= static_cast<int>(data_.positions.size())) examined_ = -1;
-  update();
+  hovered_.reset();
+  examine(examined_);
 }
 
 void ObjectiveView::setChartStyle(ObjectiveStyle style) {
@@ -24,8 +23,9 @@ void ObjectiveView::setChartStyle(ObjectiveStyle style) {
   update();
 }
 
-void ObjectiveView::examine(int position) {
-  examined_ = position < static_cast<int>(data_.positions.size()) ? position : -1;
+void ObjectiveView::examine(std::optional<int> position) {
+  const bool there = position && *position < static_cast<int>(data_.positions.size());
+  examined_ = there ? position : std::nullopt;
   update();
 }
 
@@ -39,10 +39,9 @@ void ObjectiveView::paintEvent(QPaintEvent*) {
   paintObjective(painter, rect(), data_, style_, {hovered_, examined_}, *theme_);
 }
 
-void ObjectiveView::pointAt(int position) {
+void ObjectiveView::pointAt(std::optional<int> position) {
   if (position == hovered_) return;
   hovered_ = position;
-  emit positionHovered(position);
   update();
 }
 
@@ -51,23 +50,23 @@ void ObjectiveView::mouseMoveEvent(QMouseEvent* event) {
 }
 
 void ObjectiveView::mousePressEvent(QMouseEvent* event) {
-  const int position = positionAt(event->position(), rect(), data_, style_);
-  if (event->button() == Qt::LeftButton && position >= 0) emit positionPicked(position);
+  const auto position = positionAt(event->position(), rect(), data_, style_);
+  if (event->button() == Qt::LeftButton && position) emit positionPicked(*position);
 }
 
 void ObjectiveView::leaveEvent(QEvent*) {
-  pointAt(-1);
+  pointAt(std::nullopt);
 }
 
 void ObjectiveView::keyPressEvent(QKeyEvent* event) {
   const auto count = static_cast<int>(data_.positions.size());
-  const int from = hovered_ >= 0 ? hovered_ : std::max(0, data_.chosen);
+  const int from = hovered_.value_or(data_.chosen.value_or(0));
   if (count > 0 && event->key() == Qt::Key_Right)
     pointAt((from + 1) % count);
   else if (count > 0 && event->key() == Qt::Key_Left)
     pointAt((from + count - 1) % count);
-  else if (hovered_ >= 0 && (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter))
-    emit positionPicked(hovered_);
+  else if (hovered_ && (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter))
+    emit positionPicked(*hovered_);
   else
     QWidget::keyPressEvent(event);
 }

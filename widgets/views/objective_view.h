@@ -18,15 +18,14 @@ class ObjectiveView final : public QWidget {
   void setSnapshot(const SharedSnapshot& snapshot);
   void setChartStyle(ObjectiveStyle style);
   [[nodiscard]] ObjectiveStyle chartStyle() const { return style_; }
-  /// The position that is marked as asked about; -1 for none.
-  void examine(int position);
+  /// The position that is marked as asked about; unset for none.
+  void examine(std::optional<int> position);
   void setTheme(const Theme& theme);
 
   [[nodiscard]] QSize sizeHint() const override { return {420, 360}; }
   [[nodiscard]] QSize minimumSizeHint() const override { return {240, 200}; }
 
  signals:
-  void positionHovered(int position);  ///< -1 when it leaves
   void positionPicked(int position);
 
  protected:
@@ -37,12 +36,12 @@ class ObjectiveView final : public QWidget {
   void keyPressEvent(QKeyEvent* event) override;
 
  private:
-  void pointAt(int position);
+  void pointAt(std::optional<int> position);
 
   ObjectiveChartData data_;
   ObjectiveStyle style_ = ObjectiveStyle::Dial;
-  int hovered_ = -1;
-  int examined_ = -1;
+  std::optional<int> hovered_;
+  std::optional<int> examined_;
   const Theme* theme_;
 };
 

@@ -57,11 +57,8 @@ void PositionalSpaceView::highlightCells(const std::vector<std::uint32_t>& cells
   redraw();
 }
 
-void PositionalSpaceView::pointAt(int row, int column) {
-  if (row >= 0 && column >= 0)
-    scene_->pointAt(PositionalLayer::Pick{row, column});
-  else
-    scene_->pointAt(std::nullopt);
+void PositionalSpaceView::pointAt(const std::optional<MapCell>& cell) {
+  scene_->pointAt(cell);
   refresh();
 }
 
@@ -79,18 +76,18 @@ void PositionalSpaceView::finishLoading() {
 }
 
 void PositionalSpaceView::picked(const SightLine& line) {
-  if (const auto cell = scene_->pick(line)) emit cellPicked(cell->row, cell->column);
+  if (const auto cell = scene_->pick(line)) emit cellPicked(*cell);
 }
 
 void PositionalSpaceView::hovered(const SightLine& line) {
   const auto cell = scene_->pick(line);
-  pointAt(cell ? cell->row : -1, cell ? cell->column : -1);
-  emit cellHovered(cell ? cell->row : -1, cell ? cell->column : -1);
+  pointAt(cell);
+  emit cellHovered(cell);
 }
 
 void PositionalSpaceView::hoverLeft() {
-  pointAt(-1, -1);
-  emit cellHovered(-1, -1);
+  pointAt(std::nullopt);
+  emit cellHovered(std::nullopt);
 }
 
 void PositionalSpaceView::movingChanged(bool moving) {

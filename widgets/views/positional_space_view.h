@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "layers/cell_field.h"
@@ -30,13 +31,13 @@ class PositionalSpaceView final : public SceneView {
   /// Cells of the surface that are outlined, row * columns + column.
   void highlightCells(const std::vector<std::uint32_t>& cells);
   void setTheme(const Theme& theme) override;
-  /// The cell pointed at, also from another view; -1, -1 for none.
-  void pointAt(int row, int column);
+  /// The cell pointed at, also from another view; unset for none.
+  void pointAt(const std::optional<vantage::MapCell>& cell);
   void finishLoading();
 
  signals:
-  void cellHovered(int row, int column);  ///< -1, -1 when it leaves
-  void cellPicked(int row, int column);
+  void cellHovered(const std::optional<vantage::MapCell>& cell);  ///< unset when it leaves
+  void cellPicked(const vantage::MapCell& cell);
 
  protected:
   [[nodiscard]] Camera cameraFor(CameraPreset preset, double aspect) const override;

@@ -19,7 +19,7 @@ UnrolledMapView::UnrolledMapView(QWidget* parent) : QWidget(parent), theme_(&lig
 void UnrolledMapView::setSnapshot(const SharedSnapshot& snapshot) {
   snapshot_ = snapshot;
   highlighted_.clear();
-  row_ = column_ = -1;
+  pointed_.reset();
   refresh();
 }
 
@@ -44,17 +44,16 @@ void UnrolledMapView::setTheme(const Theme& theme) {
   update();
 }
 
-void UnrolledMapView::pointAt(int row, int column) {
-  if (row == row_ && column == column_) return;
-  row_ = row;
-  column_ = column;
+void UnrolledMapView::pointAt(const std::optional<MapCell>& cell) {
+  if (cell == pointed_) return;
+  pointed_ = cell;
   update();
 }
 
-void UnrolledMapView::moveTo(int row, int column) {
-  if (row == row_ && column == column_) return;
-  pointAt(row, column);
-  emit cellHovered(row, column);
+void UnrolledMapView::moveTo(const std::optional<MapCell>& cell) {
+  if (cell == pointed_) return;
+  pointAt(cell);
+  emit cellHovered(cell);
 }
 
 void UnrolledMapView::paintEvent(QPaintEvent*) {
@@ -66,44 +65,41 @@ void UnrolledMapView::paintEvent(QPaintEvent*) {
     return;
   }
   QStringList notes;
-  if (row_ >= 0) notes << describeCell(*snapshot_, *field_, row_, column_);
-  paintUnrolledMap(painter, rect(), *field_, notes, {highlighted_, row_, column_}, *theme_);
+  if (pointed_) notes << describeCell(*snapshot_, *field_, *pointed_);
+  paintUnrolledMap(painter, rect(), *field_, notes, {highlighted_, pointed_}, *theme_);
 }
 
 void UnrolledMapView::mouseMoveEvent(QMouseEvent* event) {
   if (!field_) return;
-  const MapCell cell = cellAt(event->position(), rect(), field_->shape);
-  moveTo(cell.row, cell.column);
+  moveTo(cellAt(event->position(), rect(), field_->shape));
 }
 
 void UnrolledMapView::mousePressEvent(QMouseEvent* event) {
   if (!field_ || event->button() != Qt::LeftButton) return;
-  const MapCell cell = cellAt(event->position(), rect(), field_->shape);
-  if (cell.row >= 0) emit cellPicked(cell.row, cell.column);
+  if (const auto cell = cellAt(event->position(), rect(), field_->shape)) emit cellPicked(*cell);
 }
 
 void UnrolledMapView::leaveEvent(QEvent*) {
-  moveTo(-1, -1);
+  moveTo(std::nullopt);
 }
 
 void UnrolledMapView::keyPressEvent(QKeyEvent* event) {
   if (!field_) return QWidget::keyPressEvent(event);
   const int rows = field_->shape.rows;
   const int columns = field_->shape.columns;
-  const int row = row_ >= 0 ? row_ : rows / 2;
-  const int column = column_ >= 0 ? column_ : 0;
+  const auto [row, column] = pointed_.value_or(MapCell{rows / 2, 0});
   switch (event->key()) {
     case Qt::Key_Left:
-      return moveTo(row, (column + columns - 1) % columns);
+      return moveTo(MapCell{row, (column + columns - 1) % columns});
     case Qt::Key_Right:
-      return moveTo(row, (column + 1) % columns);
+      return moveTo(MapCell{row, (column + 1) % columns});
     case Qt::Key_Up:
-      return moveTo(std::min(rows - 1, row + 1), column);
+      return moveTo(MapCell{std::min(rows - 1, row + 1), column});
     case Qt::Key_Down:
-      return moveTo(std::max(0, row - 1), column);
+      return moveTo(MapCell{std::max(0, row - 1), column});
     case Qt::Key_Return:
     case Qt::Key_Enter:
-      if (row_ >= 0) emit cellPicked(row_, column_);
+      if (pointed_) emit cellPicked(*pointed_);
       return;
     default:
       QWidget::keyPressEvent(event);

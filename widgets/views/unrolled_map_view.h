@@ -22,16 +22,16 @@ class UnrolledMapView final : public QWidget {
   void setOptions(const PositionalViewOptions& options);
   [[nodiscard]] const PositionalViewOptions& options() const { return options_; }
   void highlightCells(const std::vector<std::uint32_t>& cells);
-  /// The cell pointed at, also from another view; -1, -1 for none.
-  void pointAt(int row, int column);
+  /// The cell pointed at, also from another view; unset for none.
+  void pointAt(const std::optional<vantage::MapCell>& cell);
   void setTheme(const Theme& theme);
 
   [[nodiscard]] QSize sizeHint() const override { return {560, 260}; }
   [[nodiscard]] QSize minimumSizeHint() const override { return {260, 150}; }
 
  signals:
-  void cellHovered(int row, int column);  ///< -1, -1 when it leaves
-  void cellPicked(int row, int column);
+  void cellHovered(const std::optional<vantage::MapCell>& cell);  ///< unset when it leaves
+  void cellPicked(const vantage::MapCell& cell);
 
  protected:
   void paintEvent(QPaintEvent* event) override;
@@ -42,14 +42,13 @@ class UnrolledMapView final : public QWidget {
 
  private:
   void refresh();
-  void moveTo(int row, int column);  // points, and tells other views
+  void moveTo(const std::optional<MapCell>& cell);  // points, and tells other views
 
   SharedSnapshot snapshot_;
   PositionalViewOptions options_;
   std::optional<CellField> field_;
   std::vector<std::uint32_t> highlighted_;
-  int row_ = -1;
-  int column_ = -1;
+  std::optional<MapCell> pointed_;
   const Theme* theme_;
 };
 
