@@ -11,6 +11,7 @@
 #include <QVBoxLayout>
 
 #include "form_parts.h"
+#include "io/mesh_reader.h"
 #include "settings/field_form.h"
 
 namespace vantage {
@@ -30,6 +31,13 @@ void select(QComboBox& box, const QString& path) {
     index = box.count() - 1;
   }
   box.setCurrentIndex(index);
+}
+
+// "*.obj *.off"
+QString patternsOf(const std::vector<std::string>& extensions) {
+  QStringList patterns;
+  for (const std::string& extension : extensions) patterns << QStringLiteral("*.") + QString::fromStdString(extension);
+  return patterns.join(QLatin1Char(' '));
 }
 
 QToolButton* browseButton(const QString& what) {
@@ -70,7 +78,8 @@ QComboBox* ChoosePage::addFileRow(const QString& label, const QString& name, con
   box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   QToolButton* browse = browseButton(tr("Take another file"));
   connect(browse, &QToolButton::clicked, this, [this, box, label, filter] {
-    const QString path = QFileDialog::getOpenFileName(this, label, {}, filter);
+    const QString path =
+        QFileDialog::getOpenFileName(this, label, {}, filter, nullptr, QFileDialog::HideNameFilterDetails);
     if (!path.isEmpty()) select(*box, path);
   });
   auto* row = new QHBoxLayout;
@@ -89,7 +98,7 @@ void ChoosePage::build() {
                         tr("Scanner profiles (*.json)"));
   object_ = addFileRow(tr("Object for the simulated scanner"), QStringLiteral("object"),
                        tr("Mesh that the simulated scanner looks at."),
-                       tr("Meshes (*.ply *.stl *.obj *.off *.3mf);;All files (*)"));
+                       tr("Meshes (%1);;All files (*)").arg(patternsOf(readableMeshExtensions())));
   addSection(tr("Save everything in"));
   folder_ = new QLineEdit;
   folder_->setObjectName(QStringLiteral("folder"));

@@ -26,9 +26,6 @@ class ConstrainedDelaunay {
   /// @return false, and nothing changes, when it would cross an earlier constraint or there are no triangles.
   bool constrain(std::uint32_t a, std::uint32_t b);
 
-  /// The first point at the place of this one: itself unless it is a duplicate.
-  [[nodiscard]] std::uint32_t representative(std::uint32_t point) const { return representative_[point]; }
-
   /// Counter-clockwise.
   [[nodiscard]] std::vector<Triangle> triangles() const;
 
@@ -67,7 +64,7 @@ class ConstrainedDelaunay {
 
   std::vector<PlanePoint> points_;
   std::uint32_t infinity_;
-  std::vector<std::uint32_t> representative_;
+  std::vector<std::uint32_t> representative_;  // the first point at the place of each
   std::vector<Face> faces_;
   std::vector<std::uint32_t> freeFaces_;
   std::vector<std::uint32_t> faceOf_;  // some face at every point

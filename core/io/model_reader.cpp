@@ -189,12 +189,6 @@ bool isModel(const PlyHeader& header) {
   return vertex != nullptr && face != nullptr && vertex->find("confidence") != nullptr && face->find("view") != nullptr;
 }
 
-Mesh readPlyMesh(const std::string& path, const Progress& progress) {
-  const FileBytes file(path);
-  const PlyHeader header = parsePlyHeader(file.text(), file.size(), path);
-  return readMesh(file, flatLayout(file, header), progress);
-}
-
 Model readModel(const std::string& path, const Progress& progress) {
   const FileBytes file(path);
   const PlyHeader header = parsePlyHeader(file.text(), file.size(), path);

@@ -8,18 +8,13 @@
 
 namespace vantage {
 
-/// The triangles of a PLY file as they stand, for files that were written by us: nothing is repaired. Binary files with
-/// float coordinates are copied without detours.
-/// @throws IoError when it cannot be read
-/// @throws InvalidInput naming file, place and expectation: also for faces other than triangles, vertices that do not
-///         exist and coordinates that are not finite
-/// @throws Cancelled
-[[nodiscard]] Mesh readPlyMesh(const std::string& path, const Progress& progress = {});
-
 /// A model as exportModel() writes it to PLY: with the vertex property `confidence` and the face property `view`. Which
-/// sample a vertex was does not stand in the file: vertexView and vertexSample are kNoIndex.
-/// @throws IoError, InvalidInput, Cancelled as readPlyMesh, and when one of the two properties is missing or not
-/// possible
+/// sample a vertex was does not stand in the file: vertexView and vertexSample are kNoIndex. Nothing is repaired;
+/// binary files with float coordinates are copied without detours.
+/// @throws IoError when it cannot be read
+/// @throws InvalidInput naming file, place and expectation: also when one of the two properties is missing or not
+///         possible, for faces other than triangles, vertices that do not exist and coordinates that are not finite
+/// @throws Cancelled
 [[nodiscard]] Model readModel(const std::string& path, const Progress& progress = {});
 
 /// Whether a PLY file with that header holds a model (and not just any mesh).

@@ -28,7 +28,6 @@ class TextScanner {
   [[nodiscard]] double number(std::string_view what);
   [[nodiscard]] std::int64_t integer(std::string_view what);
 
-  [[nodiscard]] bool atEnd() const { return at_ == end_; }
   [[nodiscard]] std::size_t line() const { return line_; }
 
   /// @throws InvalidInput always: "path: line N: what".

@@ -21,8 +21,15 @@ struct Files {
   vantage::testing::TemporaryFolder folder;
   vantage::Mesh mesh = vantage::testing::makeSphere(100.0, kRings);
   std::string ply = folder.file("sphere.ply");
+  std::string model = folder.file("model.ply");
 
-  Files() { vantage::exportMesh(mesh, ply); }
+  Files() {
+    vantage::exportMesh(mesh, ply);
+    const std::vector<std::uint32_t> none(mesh.vertices.size(), vantage::kNoIndex);
+    vantage::exportModel({mesh, std::vector<float>(mesh.vertices.size(), 1.0F), none, none,
+                          std::vector<std::uint32_t>(mesh.triangles.size(), 0)},
+                         model);
+  }
 };
 
 const Files& files() {
@@ -31,8 +38,8 @@ const Files& files() {
 }
 
 void readOurs(benchmark::State& state) {
-  const std::string& path = files().ply;
-  while (state.KeepRunning()) benchmark::DoNotOptimize(vantage::readPlyMesh(path).triangles.data());
+  const std::string& path = files().model;
+  while (state.KeepRunning()) benchmark::DoNotOptimize(vantage::readModel(path).mesh.triangles.data());
 }
 
 void readAssimp(benchmark::State& state) {

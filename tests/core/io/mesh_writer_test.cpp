@@ -18,10 +18,9 @@ namespace {
 using testing::expectError;
 using testing::TemporaryFolder;
 
-// Coordinates that single precision holds exactly.
-Model makeModel() {
+Model modelOf(Mesh mesh) {
   Model model;
-  model.mesh = testing::makeGrid(7, 5, 0.25);
+  model.mesh = std::move(mesh);
   for (std::size_t i = 0; i < model.mesh.vertices.size(); ++i)
     model.confidence.push_back(1.0F / static_cast<float>(i + 1));
   for (std::size_t i = 0; i < model.mesh.triangles.size(); ++i)
@@ -29,6 +28,11 @@ Model makeModel() {
   model.vertexView.assign(model.mesh.vertices.size(), 0);
   model.vertexSample.assign(model.mesh.vertices.size(), 0);
   return model;
+}
+
+// Coordinates that single precision holds exactly.
+Model makeModel() {
+  return modelOf(testing::makeGrid(7, 5, 0.25));
 }
 
 void expectSame(const Model& a, const Model& b) {
@@ -109,32 +113,30 @@ TEST(ReadModel, RefusesWhatAModelCannotBe) {
   refuse(model, {"vertex 4", "not finite"});
 }
 
-TEST(ReadPlyMesh, RefusesFacesOtherThanTrianglesOfTheFile) {
+TEST(ReadModel, RefusesFacesOtherThanTrianglesOfTheFile) {
   const TemporaryFolder folder;
-  exportMesh(makeModel().mesh, folder.file("mesh.ply"));
-  const std::string whole(FileBytes(folder.file("mesh.ply")).text());
-  const std::size_t lastFace = whole.size() - 13;
+  exportModel(makeModel(), folder.file("model.ply"));
+  const std::string whole(FileBytes(folder.file("model.ply")).text());
+  const std::size_t lastFace = whole.size() - 17;
   std::string damaged = whole;
   damaged[lastFace + 12] = '\x7f';
-  expectError<InvalidInput>([&] { static_cast<void>(readPlyMesh(folder.write("a.ply", damaged))); },
+  expectError<InvalidInput>([&] { static_cast<void>(readModel(folder.write("a.ply", damaged))); },
                             {"a.ply", "face 69", "48 vertices"});
   damaged = whole;
   damaged[lastFace] = '\2';
-  expectError<InvalidInput>([&] { static_cast<void>(readPlyMesh(folder.write("b.ply", damaged))); },
+  expectError<InvalidInput>([&] { static_cast<void>(readModel(folder.write("b.ply", damaged))); },
                             {"b.ply", "face 69"});
   expectError<InvalidInput>(
-      [&] { static_cast<void>(readPlyMesh(folder.write("c.ply", whole.substr(0, whole.size() - 5)))); }, {"c.ply"});
+      [&] { static_cast<void>(readModel(folder.write("c.ply", whole.substr(0, whole.size() - 5)))); }, {"c.ply"});
 }
 
-TEST(ReadPlyMesh, IsTheSameForAnyNumberOfThreads) {
+TEST(ReadModel, IsTheSameForAnyNumberOfThreads) {
   const TemporaryFolder folder;
-  const Mesh sphere = testing::makeSphere(10.0, 300);
-  exportMesh(sphere, folder.file("a.ply"));
-  const Mesh one = readPlyMesh(folder.file("a.ply"));
-  const Mesh four = readPlyMesh(folder.file("a.ply"), Progress({}, {}, 4));
-  EXPECT_EQ(one.vertices, four.vertices);
-  EXPECT_EQ(one.triangles, four.triangles);
-  EXPECT_EQ(one.triangles, sphere.triangles);
+  const Model sphere = modelOf(testing::makeSphere(10.0, 300));
+  exportModel(sphere, folder.file("a.ply"));
+  const Model one = readModel(folder.file("a.ply"));
+  expectSame(readModel(folder.file("a.ply"), Progress({}, {}, 4)), one);
+  EXPECT_EQ(one.mesh.triangles, sphere.mesh.triangles);
 }
 
 TEST(ExportMesh, RefusesUnknownExtensionsAndBrokenIndices) {
