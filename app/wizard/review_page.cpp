@@ -3,9 +3,9 @@
 #include <QHeaderView>
 #include <QTableWidget>
 #include <QVBoxLayout>
-#include <array>
 
 #include "form_parts.h"
+#include "report/edges_left.h"
 #include "why_card.h"
 #include "wording.h"
 
@@ -93,18 +93,9 @@ void ReviewPage::refresh() {
 
 void ReviewPage::refreshLeft(const AcquisitionState& state) {
   const auto plan = currentPlan(state);
-  if (!plan || !plan->voids || plan->outlook.size() != plan->voids->patches.size()) return;
-  std::array<double, kEdgeReasons> lengths{};
-  std::array<int, kEdgeReasons> edges{};
-  for (std::size_t p = 0; p < plan->outlook.size(); ++p) {
-    const auto reason = static_cast<std::size_t>(plan->outlook[p].reason);
-    lengths[reason] += plan->voids->patches[p].width;
-    ++edges[reason];
-  }
-  for (std::size_t i = 0; i < lengths.size(); ++i)
-    if (edges[i] > 0)
-      left_->add(edgeReasonText(static_cast<EdgeReason>(i), plan->outcome),
-                 tr("%1 mm of edge").arg(figureText(lengths[i])));
+  if (!plan || !plan->voids) return;
+  for (const EdgesLeft& left : edgesLeft(*plan))
+    left_->add(edgeReasonText(left.reason, plan->outcome), tr("%1 mm of edge").arg(figureText(left.length)));
   if (plan->voids->patches.empty()) left_->add(tr("Nothing: the surface is closed."), {});
 }
 

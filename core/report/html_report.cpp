@@ -8,6 +8,7 @@
 
 #include "base/errors.h"
 #include "planning/choice.h"
+#include "report/edges_left.h"
 #include "report/report.h"
 #include "report/svg_chart.h"
 #include "report/wording.h"
@@ -162,18 +163,10 @@ std::string timesHtml(const AcquisitionState& state) {
 std::string remainingHtml(const AcquisitionState& state) {
   if (state.records.empty() || !state.records.back().plan) return {};
   const Plan& plan = *state.records.back().plan;
-  std::array<std::size_t, kEdgeReasons> edges{};
-  std::array<double, kEdgeReasons> lengths{};
-  for (std::size_t p = 0; p < plan.outlook.size(); ++p) {
-    const auto reason = static_cast<std::size_t>(plan.outlook[p].reason);
-    ++edges[reason];
-    lengths[reason] += plan.voids->patches[p].width;
-  }
   std::string html = "<h2>What is left, and why</h2>\n<table>" + row({"Reason", "Edges", "Length [mm]"}, "th");
-  for (int reason = 0; reason < kEdgeReasons; ++reason)
-    if (edges[reason] > 0)
-      html += row({std::string(sentenceOf(static_cast<EdgeReason>(reason), plan.outcome)),
-                   std::to_string(edges[reason]), figure(lengths[reason], 0)});
+  for (const EdgesLeft& left : edgesLeft(plan))
+    html +=
+        row({std::string(sentenceOf(left.reason, plan.outcome)), std::to_string(left.edges), figure(left.length, 0)});
   return html + "</table>\n";
 }
 

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "geometry/measures.h"
+#include "report/edges_left.h"
 #include "report/wording.h"
 
 namespace vantage {
@@ -92,19 +93,9 @@ nlohmann::ordered_json voidJson(const Plan& plan) {
 }
 
 nlohmann::ordered_json remainingJson(const Plan& plan) {
-  std::array<std::size_t, kEdgeReasons> edges{};
-  std::array<double, kEdgeReasons> lengths{};
-  for (std::size_t p = 0; p < plan.outlook.size(); ++p) {
-    const auto reason = static_cast<std::size_t>(plan.outlook[p].reason);
-    ++edges[reason];
-    lengths[reason] += plan.voids->patches[p].width;
-  }
   Json list = Json::array();
-  for (std::size_t reason = 0; reason < edges.size(); ++reason) {
-    if (edges[reason] == 0) continue;
-    list.push_back(
-        {{"reason", name(static_cast<EdgeReason>(reason))}, {"edges", edges[reason]}, {"length_mm", lengths[reason]}});
-  }
+  for (const EdgesLeft& left : edgesLeft(plan))
+    list.push_back({{"reason", name(left.reason)}, {"edges", left.edges}, {"length_mm", left.length}});
   return list;
 }
 
