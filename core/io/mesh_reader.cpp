@@ -6,7 +6,11 @@
 #include "base/errors.h"
 #include "io/assimp_import.h"
 #include "io/file_kind.h"
-#include "io/mesh_formats.h"
+#include "io/obj_reader.h"
+#include "io/off_reader.h"
+#include "io/ply_mesh.h"
+#include "io/stl_reader.h"
+#include "io/three_mf_reader.h"
 #include "io/zip_archive.h"
 
 namespace vantage {

@@ -7,8 +7,8 @@
 
 #include "base/errors.h"
 #include "base/parallel.h"
-#include "io/mesh_formats.h"
 #include "io/ply_document.h"
+#include "io/ply_mesh.h"
 
 namespace vantage {
 namespace {

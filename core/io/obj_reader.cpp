@@ -1,10 +1,11 @@
+#include "io/obj_reader.h"
+
 #include <algorithm>
 #include <array>
 #include <limits>
 #include <optional>
 
 #include "base/errors.h"
-#include "io/mesh_formats.h"
 #include "io/text_scanner.h"
 
 namespace vantage {

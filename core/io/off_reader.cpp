@@ -1,7 +1,8 @@
+#include "io/off_reader.h"
+
 #include <limits>
 
 #include "base/errors.h"
-#include "io/mesh_formats.h"
 #include "io/text_scanner.h"
 
 namespace vantage {

@@ -1,8 +1,9 @@
+#include "io/ply_mesh.h"
+
 #include <array>
 #include <cmath>
 
 #include "base/errors.h"
-#include "io/mesh_formats.h"
 #include "io/ply_document.h"
 
 namespace vantage {

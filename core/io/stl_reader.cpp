@@ -1,3 +1,5 @@
+#include "io/stl_reader.h"
+
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -5,7 +7,6 @@
 #include <limits>
 
 #include "base/errors.h"
-#include "io/mesh_formats.h"
 #include "io/text_scanner.h"
 
 namespace vantage {

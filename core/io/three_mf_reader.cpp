@@ -1,9 +1,10 @@
+#include "io/three_mf_reader.h"
+
 #include <array>
 #include <map>
 #include <optional>
 
 #include "base/errors.h"
-#include "io/mesh_formats.h"
 #include "io/text_scanner.h"
 #include "io/xml_scanner.h"
 #include "io/zip_archive.h"

@@ -1,5 +1,3 @@
-#include "io/mesh_formats.h"
-
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -7,6 +5,10 @@
 #include <cstring>
 
 #include "core/io/expect_error.h"
+#include "io/obj_reader.h"
+#include "io/off_reader.h"
+#include "io/ply_mesh.h"
+#include "io/stl_reader.h"
 #include "support/test_data.h"
 
 namespace vantage {
