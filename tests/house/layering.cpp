@@ -2,11 +2,12 @@
 
 #include <algorithm>
 #include <array>
-#include <fstream>
 #include <optional>
 #include <regex>
 #include <set>
 #include <string_view>
+
+#include "house/source_files.h"
 
 namespace vantage::testing {
 namespace {
@@ -52,7 +53,6 @@ std::set<std::string> foldersOf(const fs::path& layer) {
 }
 
 struct Tree {
-  fs::path root;
   std::set<std::string> widgets;
   std::set<std::string> app;
 
@@ -96,40 +96,29 @@ std::optional<std::string> objection(const Tree& tree, const std::string& layer,
   return std::nullopt;
 }
 
-bool isSource(const fs::path& path) {
-  return path.extension() == ".h" || path.extension() == ".cpp";
-}
-
-void checkFile(const Tree& tree, const std::string& layer, const fs::path& path, std::vector<std::string>& violations) {
-  const std::string file = fs::relative(path, tree.root / layer).generic_string();
-  std::ifstream in(path);
-  std::string line;
-  for (int number = 1; std::getline(in, line); ++number) {
+void checkFile(const Tree& tree, const SourceFile& source, std::vector<std::string>& violations) {
+  const std::string layer = source.layer();
+  const std::string file = source.name.substr(layer.size() + 1);
+  for (std::size_t i = 0; i < source.lines.size(); ++i) {
+    const std::string& line = source.lines[i];
     auto report = [&](const std::string& why) {
-      violations.push_back(layer + "/" + file + ":" + std::to_string(number) + ": " + why + ": " + line);
+      violations.push_back(source.name + ":" + std::to_string(i + 1) + ": " + why + ": " + line);
     };
     std::smatch match;
     if (std::regex_search(line, match, kInclude)) {
       if (const auto why = objection(tree, layer, file, match[1].str())) report(*why);
       continue;
     }
-    const std::string code = line.substr(0, line.find("//"));
-    if (layer == "core" && std::regex_search(code, kPrintingCall)) report("core does not print");
+    if (layer == "core" && std::regex_search(withoutComment(line), kPrintingCall)) report("core does not print");
   }
 }
 
 }  // namespace
 
 std::vector<std::string> layeringViolations(const fs::path& root) {
-  const Tree tree{root, foldersOf(root / "widgets"), foldersOf(root / "app")};
+  const Tree tree{foldersOf(root / "widgets"), foldersOf(root / "app")};
   std::vector<std::string> violations;
-  for (const std::string layer : {"core", "widgets", "app"}) {
-    if (!fs::is_directory(root / layer)) continue;
-    std::set<fs::path> files;
-    for (const auto& entry : fs::recursive_directory_iterator(root / layer))
-      if (entry.is_regular_file() && isSource(entry.path())) files.insert(entry.path());
-    for (const fs::path& file : files) checkFile(tree, layer, file, violations);
-  }
+  for (const SourceFile& file : sourceFiles(root)) checkFile(tree, file, violations);
   return violations;
 }
 
