@@ -81,12 +81,9 @@ std::shared_ptr<const ModelGeometry> geometryOf(const ViewSnapshot& snapshot) {
   return snapshot.state->model ? prepareModelGeometry(snapshot.state->model) : nullptr;
 }
 
-QImage modelPicture(const RenderArguments& args, const SharedSnapshot& snapshot, const QSize& size,
-                    const Theme& theme) {
-  ModelScene scene;
-  ModelViewOptions options;
-  options.voidPatches = args.view == "void";
-  options.voidColouring = snapshot->proposed() ? VoidColouring::EdgeClass : VoidColouring::State;
+template <typename PictureScene, typename Options>
+QImage pictureOf(const Options& options, const SharedSnapshot& snapshot, const QSize& size, const Theme& theme) {
+  PictureScene scene;
   scene.setTheme(theme);
   scene.setOptions(options);
   scene.set(snapshot, geometryOf(*snapshot));
@@ -95,21 +92,23 @@ QImage modelPicture(const RenderArguments& args, const SharedSnapshot& snapshot,
   return makePicture(scene.scene(), scene.overlay(), theme, *osmesaWindows()(), size, 1.0);
 }
 
+QImage modelPicture(const RenderArguments& args, const SharedSnapshot& snapshot, const QSize& size,
+                    const Theme& theme) {
+  ModelViewOptions options;
+  options.voidPatches = args.view == "void";
+  options.voidColouring = snapshot->proposed() ? VoidColouring::EdgeClass : VoidColouring::State;
+  return pictureOf<ModelScene>(options, snapshot, size, theme);
+}
+
 QImage positionalPicture(const RenderArguments& args, const SharedSnapshot& snapshot, const QSize& size,
                          const Theme& theme) {
-  PositionalScene scene;
   PositionalViewOptions options;
   if (args.view == "ps-seen") options.kind = PositionalImageKind::Seen;
   if (args.view == "ps-scanner") {
     options.kind = PositionalImageKind::Scanner;
     options.position = snapshot->foremost();
   }
-  scene.setTheme(theme);
-  scene.setOptions(options);
-  scene.set(snapshot, geometryOf(*snapshot));
-  scene.scene().setCamera(
-      scene.camera(CameraPreset::Oblique, static_cast<double>(size.width()) / static_cast<double>(size.height())));
-  return makePicture(scene.scene(), scene.overlay(), theme, *osmesaWindows()(), size, 1.0);
+  return pictureOf<PositionalScene>(options, snapshot, size, theme);
 }
 
 QImage objectivePicture(const SharedSnapshot& snapshot, const QSize& size, const Theme& theme) {
