@@ -8,35 +8,17 @@
 #include <fstream>
 
 #include "io/mesh_writer.h"
-#include "support/meshes.h"
+#include "support/scenes/small_scene.h"
 
 namespace vantage {
 namespace {
-
-// A coarse rotating stripe scanner with a turntable of 24 steps: about 3 mm between samples.
-constexpr const char* kScanner = R"({
-  "name": "Small scanner",
-  "scanner": { "type": "rotating_stripe", "position": [250, 0, 60], "stripe_height_mm": 120, "samples_per_stripe": 61,
-    "stripes": 81, "sweep_deg": 50, "receivers": [[50, 0, 0]], "breakdown_angle_deg": 65, "range_mm": [100, 400],
-    "noise": { "range_sigma_mm": 0.05, "dropout": 0.0 } },
-  "workspace": { "type": "turntable", "steps": 24 },
-  "viewing_volume": { "radius_mm": 90, "height_mm": 120 },
-  "positional_space": { "surface": "cylinder", "rows": 10, "columns": 48 },
-  "mechanics": { "angle_sigma_deg": 0.2, "position_sigma_mm": 0.2 } })";
-
-// Three spheres grown together: nothing about it is symmetric.
-Mesh smallObject() {
-  using testing::makeSphere;
-  return testing::joined(testing::joined(makeSphere(32, 24, {5, -8, 40}), makeSphere(20, 20, {-30, 12, 55})),
-                         makeSphere(14, 16, {30, 25, 30}));
-}
 
 // A controller that works at once, before a small object and a coarse scanner in a folder of their own.
 class SessionControllerTest : public ::testing::Test {
  protected:
   SessionControllerTest() {
-    std::ofstream(path("scanner.json").toStdString()) << kScanner;
-    exportMesh(smallObject(), path("object.ply").toStdString());
+    std::ofstream(path("scanner.json").toStdString()) << testing::smallProfileSource().text;
+    exportMesh(testing::smallObject(), path("object.ply").toStdString());
     controller_ = make();
     QObject::connect(controller_.get(), &SessionController::failed, [this](const QString& what) { failure_ = what; });
   }
