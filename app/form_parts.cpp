@@ -3,6 +3,11 @@
 #include <QGridLayout>
 
 namespace vantage {
+namespace {
+
+constexpr const char* kHelp = "help";
+
+}  // namespace
 
 QLabel* makeLabel(const QString& text, const char* role) {
   auto* label = new QLabel(text);
@@ -17,10 +22,17 @@ QPushButton* makeButton(const QString& text, const QString& objectName, const QS
   auto* button = new QPushButton(text);
   button->setObjectName(objectName);
   button->setToolTip(help);
+  button->setProperty(kHelp, help);
   button->setAccessibleName(QString(text).remove(QLatin1Char('&')));
   button->setAccessibleDescription(help);
   button->setProperty("primary", primary);
   return button;
+}
+
+void allow(QPushButton& button, const QString& whyNot) {
+  button.setEnabled(whyNot.isEmpty());
+  button.setToolTip(whyNot.isEmpty() ? button.property(kHelp).toString() : whyNot);
+  button.setAccessibleDescription(button.toolTip());
 }
 
 FigureTable::FigureTable(QWidget* parent) : QWidget(parent), grid_(new QGridLayout(this)) {

@@ -23,6 +23,13 @@ namespace {
 
 constexpr int kLayoutVersion = 1;
 
+// An action that cannot be had now says why.
+void allow(QAction& action, const QString& whyNot) {
+  action.setEnabled(whyNot.isEmpty());
+  action.setToolTip(whyNot);
+  action.setStatusTip(whyNot);
+}
+
 // The sides from which a report shows the model.
 const std::vector kReportSides{CameraPreset::Oblique, CameraPreset::Front, CameraPreset::Top};
 
@@ -113,16 +120,17 @@ void MainWindow::addMenus() {
 
 void MainWindow::addSessionMenu() {
   QMenu& session = *menuBar()->addMenu(tr("&Session"));
-  addAction(session, tr("&Open…"), QKeySequence::Open, [this] { openSession(); });
+  session.setToolTipsVisible(true);
+  open_ = addAction(session, tr("&Open…"), QKeySequence::Open, [this] { openSession(); });
   close_ = addAction(session, tr("&Close"), QKeySequence::Close, [this] {
     controller_.close();
     wizard_->goTo(0);
   });
   session.addSeparator();
-  addAction(session, tr("&Run or go on"), tr("F5"), [this] { controller_.run(); });
-  addAction(session, tr("One &scan"), tr("F6"), [this] { controller_.step(); });
-  addAction(session, tr("&Pause"), tr("F7"), [this] { controller_.pause(); });
-  addAction(session, tr("S&top"), tr("Shift+F5"), [this] { controller_.stop(); });
+  run_ = addAction(session, tr("&Run or go on"), tr("F5"), [this] { controller_.run(); });
+  step_ = addAction(session, tr("One &scan"), tr("F6"), [this] { controller_.step(); });
+  pause_ = addAction(session, tr("&Pause"), tr("F7"), [this] { controller_.pause(); });
+  stop_ = addAction(session, tr("S&top"), tr("Shift+F5"), [this] { controller_.stop(); });
   session.addSeparator();
   addAction(session, tr("Next pa&ge"), tr("Alt+Right"), [this] { wizard_->goOn(); });
   addAction(session, tr("Page &before"), tr("Alt+Left"), [this] { wizard_->goBack(); });
@@ -163,6 +171,11 @@ void MainWindow::connectController() {
     box->setAttribute(Qt::WA_DeleteOnClose);
     box->open();
   });
+  connect(&controller_, &SessionController::refused, this, [this](const QString& why) {
+    log_->add(why);
+    statusBar()->showMessage(why, 8000);
+  });
+  connect(&controller_, &SessionController::setUpChanged, this, &MainWindow::refreshActions);
   connect(&controller_, &SessionController::written, log_,
           [this](const QString& path) { log_->add(tr("Written: %1").arg(path)); });
   connect(&controller_, &SessionController::stateChanged, log_, [this] {
@@ -176,9 +189,14 @@ void MainWindow::connectController() {
 }
 
 void MainWindow::refreshActions() {
-  undo_->setEnabled(controller_.canUndo());
-  redo_->setEnabled(controller_.canRedo());
-  close_->setEnabled(controller_.hasSession() && controller_.idle());
+  allow(*undo_, controller_.whyNotUndo());
+  allow(*redo_, controller_.whyNotRedo());
+  allow(*run_, controller_.whyNotRun());
+  allow(*step_, controller_.whyNotScan());
+  allow(*pause_, controller_.activity() == Activity::Running ? QString() : tr("Nothing runs that could pause."));
+  allow(*stop_, controller_.idle() ? tr("Nothing runs that could be stopped.") : QString());
+  allow(*close_, controller_.whyNotClose());
+  allow(*open_, controller_.idle() ? QString() : tr("Something else is under way."));
 }
 
 // The session of last time is found again by its path.
@@ -193,7 +211,7 @@ void MainWindow::refreshTitle() {
 
 void MainWindow::openSession() {
   const QString path = QFileDialog::getOpenFileName(this, tr("Open a session"), {}, tr("Sessions (*.vantage)"));
-  if (path.isEmpty() || !controller_.idle()) return;
+  if (path.isEmpty()) return;
   controller_.close();
   controller_.open(path);
 }
@@ -247,7 +265,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
   QSettings file;
   file.setValue(QStringLiteral("window/geometry"), saveGeometry());
   file.setValue(QStringLiteral("window/layout"), saveState(kLayoutVersion));
-  controller_.stop();
+  if (!controller_.idle()) controller_.stop();
   event->accept();
 }
 

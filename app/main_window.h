@@ -66,6 +66,11 @@ class MainWindow final : public QMainWindow {
   JobPanel* jobs_;
   LogPanel* log_;
   QMenu* docksMenu_ = nullptr;
+  QAction* open_ = nullptr;
+  QAction* run_ = nullptr;
+  QAction* step_ = nullptr;
+  QAction* pause_ = nullptr;
+  QAction* stop_ = nullptr;
   QAction* undo_ = nullptr;
   QAction* redo_ = nullptr;
   QAction* close_ = nullptr;

@@ -18,7 +18,7 @@ Computed compute(const AcquisitionState& state, const Plan& plan, int position, 
   const Pose& pose = state.profile->workspace.poses[static_cast<std::size_t>(position)];
   Computed result;
   result.sight = std::make_shared<const PositionSight>(lookFrom(pose, plan.voids->patches, *state.model, *state.profile,
-                                                                meanSpacing(state.views), progress.part(0.0, 0.5)));
+                                                                meanSpacing(viewsOf(state)), progress.part(0.0, 0.5)));
   result.picture = std::make_shared<const ScannerPicture>(
       computeScannerPicture(*state.profile, position, *state.model, plan.voids.get(), progress.part(0.5, 1.0)));
   return result;
@@ -27,12 +27,12 @@ Computed compute(const AcquisitionState& state, const Plan& plan, int position, 
 }  // namespace
 
 void PositionInspector::inspect(const std::shared_ptr<const AcquisitionState>& state, int position) {
-  const auto plan = state ? currentPlan(*state) : nullptr;
+  const auto plan = state ? state->plan : nullptr;
   if (!plan || !state->profile || position < 0 || position >= static_cast<int>(plan->scores.size())) return forget();
   jobs_.cancel(job_);
   insight_ = PositionInsight{explain(*plan, position), plan, nullptr, nullptr};
   emit changed();
-  if (!plan->voids || !state->model || state->views.empty()) return;
+  if (!plan->voids || !state->model) return;
   job_ = jobs_.run<Computed>(
       {}, [state, plan, position](const Progress& progress) { return compute(*state, *plan, position, progress); },
       [this, question = ++question_](JobResult<Computed> result) {

@@ -61,10 +61,12 @@ ReportPicture toReportPicture(const QImage& image, const QString& caption) {
 
 std::vector<ReportPicture> scanPictures(const AcquisitionState& state) {
   std::vector<ReportPicture> pictures;
-  for (std::size_t i = 0; i < state.views.size(); ++i) {
-    const RangeImage& scan = *state.views[i].image;
+  for (const View& view : viewsOf(state)) {
+    const std::size_t number = pictures.size() + 1;
+    const std::optional<int> position = view.image->station.position;
     pictures.push_back(
-        toReportPicture(scanImage(scan), Text::tr("View %1, position %2").arg(i + 1).arg(scan.position)));
+        toReportPicture(scanImage(*view.image), position ? Text::tr("View %1, position %2").arg(number).arg(*position)
+                                                         : Text::tr("View %1").arg(number)));
   }
   return pictures;
 }

@@ -1,14 +1,11 @@
 #include "session_controller.h"
 
-#include <cmath>
 #include <utility>
 
-#include "acquisition/apply_command.h"
-#include "acquisition/automatic_run.h"
 #include "base/errors.h"
 #include "io/atomic_file.h"
 #include "io/mesh_writer.h"
-#include "session/kept_scans.h"
+#include "refusal_text.h"
 #include "session_start.h"
 #include "wording.h"
 
@@ -21,25 +18,8 @@ const QString kPageNote = QStringLiteral("page");
 QString pageOf(const Session& session, const AcquisitionState& state) {
   const std::string noted = session.note(kPageNote.toStdString());
   if (!noted.empty()) return QString::fromStdString(noted);
-  if (state.views.empty()) return {};
+  if (state.scans.empty()) return {};
   return state.termination == Termination::Running ? QStringLiteral("acquire") : QStringLiteral("review");
-}
-
-Moment momentOf(const HistoryEntry& entry, bool undone) {
-  Moment moment;
-  moment.text = commandText(entry.command);
-  moment.views = static_cast<int>(entry.outline->views.size());
-  moment.undone = undone;
-  const auto* added = std::get_if<AddScan>(&entry.command);
-  if (added == nullptr) return moment;
-  moment.rejected = true;
-  for (const OutlinedView& view : entry.outline->views) {
-    if (view.scan != added->scan || !view.record) continue;
-    moment.rejected = false;
-    moment.position = view.record->position;
-    moment.newArea = view.record->newArea;
-  }
-  return moment;
 }
 
 }  // namespace
@@ -96,7 +76,7 @@ void SessionController::prepare() {
 }
 
 void SessionController::startTestTurn() {
-  if (!setUp_ || !setUp_->profile) return;
+  if (!allowed(whyNotTestTurn())) return;
   const int first = setUp_->choice.settings.firstView;
   const auto positions = static_cast<int>(setUp_->profile->workspace.size());
   // A twelfth of a turn: far enough to measure, near enough to overlap.
@@ -127,6 +107,7 @@ void SessionController::adopt(const SessionPointer& session, const SharedSetUp& 
 }
 
 void SessionController::open(const QString& path) {
+  if (!allowed(busyOr({}))) return;
   struct Opened {
     OpenedSession opened;
     Publication publication;
@@ -149,9 +130,10 @@ void SessionController::close() {
   session_.reset();
   now_.reset();
   shown_.reset();
-  shownMoment_ = -1;
+  shownMoment_.reset();
   moments_.clear();
   cursor_ = 0;
+  table_.reset();
   page_.clear();
   emit sessionChanged();
   emit stateChanged();
@@ -159,35 +141,30 @@ void SessionController::close() {
 }
 
 SessionController::Publication SessionController::describe(const Session& session) {
-  Publication publication{session.state(), {}, static_cast<int>(session.history().cursor())};
-  for (std::size_t i = 0; i < session.history().size(); ++i)
-    publication.moments.push_back(momentOf(session.history().entry(i), i > session.history().cursor()));
-  return publication;
+  return {session.state(), momentsOf(session.history()), static_cast<int>(session.history().cursor()),
+          vantage::tablePosition(session)};
 }
 
 void SessionController::publish(Publication publication) {
   now_ = std::move(publication.state);
   moments_ = std::move(publication.moments);
   cursor_ = publication.cursor;
+  table_ = publication.table;
   shown_.reset();
-  shownMoment_ = -1;
+  shownMoment_.reset();
   emit stateChanged();
   emit shownChanged();
 }
 
-// What a run is told of every step: it is written first, then shown.
-std::function<void(const Command&, const AcquisitionState&)> SessionController::recorder(
-    const SessionPointer& session) {
-  return [this, session, pause = pause_](const Command& command, const AcquisitionState& state) {
-    session->record(command, state);
+// What was recorded is shown.
+Acquisition::StepObserver SessionController::publisher(const SessionPointer& session) {
+  return [this, session](const Command&, const AcquisitionState&, const AcquisitionState&) {
     QMetaObject::invokeMethod(this,
                               [this, publication = describe(*session)]() mutable { publish(std::move(publication)); });
-    if (pause && *pause && state.termination == Termination::Running) throw Cancelled();
   };
 }
 
-void SessionController::scanInBackground(bool untilTheEnd, std::optional<int> position) {
-  if (!setUp_ || !idle()) return;
+void SessionController::scanInBackground(bool untilTheEnd) {
   pause_ = std::make_shared<std::atomic<bool>>(false);
   const auto begun = [this, setUp = setUp_](const SessionPointer& session) {
     QMetaObject::invokeMethod(this, [this, session, setUp, publication = describe(*session)]() mutable {
@@ -197,75 +174,149 @@ void SessionController::scanInBackground(bool untilTheEnd, std::optional<int> po
   };
   start<bool>(
       Activity::Running, untilTheEnd ? tr("Acquiring") : tr("Scanning"),
-      [this, session = session_, setUp = setUp_, begun, untilTheEnd, position](const Progress& progress) mutable {
-        if (!session) begun(session = createSession(*setUp));
-        const auto scanner = scannerOf(*setUp, session->scanCount());
-        const ScanSource scans = keptScans(*scanner, *session);
-        const auto record = recorder(session);
-        AcquisitionState state = *session->state();
-        if (position) {
-          const ChoosePosition chosen{*position};
-          state = applyCommand(state, chosen, {}, {});
-          record(chosen, state);
+      [this, session = session_, setUp = setUp_, mode = mode(), pause = pause_, begun,
+       untilTheEnd](const Progress& progress) mutable {
+        const bool isNew = !session;
+        if (isNew) session = createSession(*setUp);
+        const std::shared_ptr<ScannerDevice> scanner = scannerOf(*setUp, session->scanCount());
+        Acquisition acquisition(*session, {scanner, setUp->images}, publisher(session));
+        if (isNew) {
+          if (mode != acquisition.state()->mode) acquisition.carryOut(ChangeMode{mode});
+          begun(session);
         }
+        if (acquisition.state()->termination == Termination::EndedByOperator)
+          acquisition.carryOut(Finish{Termination::Running});
         if (untilTheEnd)
-          return acquire(state, scans, *setUp->images, record, progress).termination != Termination::Running;
-        const ScanStep step = scanOnce(state, scans, *setUp->images, progress);
-        record(step.command, step.state);
-        return step.state.termination != Termination::Running;
+          acquisition.runUntilTheEnd(progress, [pause] { return pause->load(); });
+        else
+          acquisition.scanNext(progress);
+        return acquisition.state()->termination != Termination::Running;
       },
       [this](bool ended) {
         if (ended) emit runEnded();
       });
 }
 
+QString SessionController::busyOr(const std::optional<Refusal>& refusal) const {
+  if (!idle()) return tr("Something else is under way.");
+  return refusal ? refusalText(*refusal) : QString();
+}
+
+bool SessionController::allowed(const QString& whyNot) {
+  if (!whyNot.isEmpty()) emit refused(whyNot);
+  return whyNot.isEmpty();
+}
+
+// An acquisition that the operator ended is opened again by scanning on.
+std::optional<Refusal> SessionController::refusalOfScan() const {
+  if (!now_) return {};
+  AcquisitionState open = *now_;
+  if (open.termination == Termination::EndedByOperator) open.termination = Termination::Running;
+  return vantage::mayScan(open);
+}
+
+QString SessionController::whyNotScan() const {
+  if (const QString why = busyOr(refusalOfScan()); !why.isEmpty()) return why;
+  if (!setUp_) return tr("Scanner and object are not read yet.");
+  if (!setUp_->object) return refusalText({RefusalReason::NothingToScanWith, {}});
+  return {};
+}
+
+QString SessionController::whyNotRun() const {
+  if (mode() == Mode::Assisted) return tr("You turn the table yourself: scan one view at a time, or choose automatic.");
+  return whyNotScan();
+}
+
+QString SessionController::whyNotTestTurn() const {
+  if (!idle()) return busyOr({});
+  if (!setUp_ || !setUp_->profile) return tr("Scanner and object are not read yet.");
+  if (!setUp_->object) return refusalText({RefusalReason::NothingToScanWith, {}});
+  return setUp_->profile->workspace.steps > 1 ? QString() : tr("This scanner has no turntable.");
+}
+
+QString SessionController::whyNot(const Command& command) const {
+  if (!session_ || !now_) return tr("There is no session yet: it begins with the first scan.");
+  return busyOr(mayDo(*now_, command));
+}
+
+QString SessionController::whyNotUndo() const {
+  return busyOr(cursor_ > 0 ? std::nullopt : std::optional(Refusal{RefusalReason::NothingToUndo, {}}));
+}
+
+QString SessionController::whyNotRedo() const {
+  const bool can = cursor_ + 1 < static_cast<int>(moments_.size());
+  return busyOr(can ? std::nullopt : std::optional(Refusal{RefusalReason::NothingToRedo, {}}));
+}
+
+QString SessionController::whyNotExport() const {
+  return busyOr(now_ && now_->model ? std::nullopt : std::optional(Refusal{RefusalReason::NothingScanned, {}}));
+}
+
+QString SessionController::whyNotClose() const {
+  return session_ ? busyOr({}) : tr("No session is open.");
+}
+
+void SessionController::setMode(Mode mode) {
+  if (mode == this->mode()) return;
+  if (session_) return change(ChangeMode{mode});
+  mode_ = mode;
+  emit stateChanged();
+}
+
 void SessionController::run() {
-  scanInBackground(true, {});
+  if (allowed(whyNotRun())) scanInBackground(true);
 }
 
 void SessionController::step() {
-  scanInBackground(false, {});
-}
-
-void SessionController::scanFrom(int position) {
-  scanInBackground(false, position);
+  if (allowed(whyNotScan())) scanInBackground(false);
 }
 
 void SessionController::pause() {
-  if (activity_ != Activity::Running || !pause_) return;
+  if (activity_ != Activity::Running || !pause_) {
+    emit refused(tr("Nothing runs that could pause."));
+    return;
+  }
   *pause_ = true;
   setActivity(Activity::Pausing);
 }
 
 void SessionController::stop() {
-  if (idle()) return;
+  if (idle()) {
+    emit refused(tr("Nothing runs that could be stopped."));
+    return;
+  }
   jobs_.cancel(job_);
   setActivity(Activity::Stopping);
 }
 
 // A command that needs no scan: carried out, written, shown.
 void SessionController::change(const Command& command) {
-  if (!session_) return;
+  if (!allowed(whyNot(command))) return;
   start<Publication>(
       Activity::Changing, tr("Changing the session"),
       [session = session_, setUp = setUp_, command](const Progress& progress) {
-        const CommandInput input{[session](std::int64_t number) { return session->scan(number); }, setUp->images.get()};
-        session->record(command, applyCommand(*session->state(), command, input, progress));
+        Acquisition(*session, {nullptr, setUp->images}).carryOut(command, progress);
         return describe(*session);
       },
       [this](Publication publication) { publish(std::move(publication)); });
 }
 
-void SessionController::choosePosition(int position) {
+void SessionController::choosePosition(std::optional<int> position) {
   change(ChoosePosition{position});
 }
 
 void SessionController::endHere() {
-  change(Finish{Termination::Finished});
+  change(Finish{Termination::EndedByOperator});
 }
 
 void SessionController::goOn() {
   change(Finish{Termination::Running});
+}
+
+void SessionController::allowMoreViews(int more) {
+  ChangeSettings command{now_ ? now_->settings : choice_.settings};
+  command.settings.maxViews += more;
+  change(command);
 }
 
 void SessionController::leaveOut(std::int64_t scan) {
@@ -278,52 +329,51 @@ void SessionController::takeBack(std::int64_t scan) {
 
 NextScan SessionController::next() const {
   if (now_) return nextScan(*now_);
-  NextScan first;
-  first.position = choice_.settings.firstView;
-  return first;
+  return ScanFrom{choice_.settings.firstView};
+}
+
+std::optional<int> SessionController::nextPosition() const {
+  const NextScan following = next();
+  const auto* scan = std::get_if<ScanFrom>(&following);
+  return scan != nullptr ? std::optional(scan->position) : std::nullopt;
+}
+
+std::optional<int> SessionController::tablePosition() const {
+  if (now_ || !setUp_ || !setUp_->profile || setUp_->profile->workspace.size() == 0) return table_;
+  return 0;
 }
 
 std::optional<TurnAdvice> SessionController::turnTo(int position) const {
   if (!setUp_ || !setUp_->profile) return {};
-  const Workspace& workspace = setUp_->profile->workspace;
-  if (workspace.steps == 0 || position < 0 || position >= static_cast<int>(workspace.size())) return {};
-  const bool scanned = now_ && !now_->views.empty();
-  const int last = scanned ? now_->views.back().image->position : 0;
-  if (last < 0) return {};
-  const RayGrid& rays = *setUp_->profile->rays;
-  const auto azimuth = [&](int i) {
-    const Vec3 stand = workspace.poses[static_cast<std::size_t>(i)] * rays.ray(rays.size() / 2).origin;
-    return std::atan2(stand.y(), stand.x());
-  };
-  return TurnAdvice{azimuth(last), azimuth(position), turnBetween(workspace, last, position)};
+  return adviseTurn(*setUp_->profile, tablePosition(), position);
 }
 
 std::optional<Explanation> SessionController::explained(int position) const {
-  const auto plan = now_ ? currentPlan(*now_) : nullptr;
+  const auto plan = now_ ? now_->plan : nullptr;
   if (!plan || position < 0 || position >= static_cast<int>(plan->scores.size())) return {};
   return explain(*plan, position);
 }
 
 void SessionController::move(bool backward) {
-  if (!session_) return;
   start<Publication>(
       Activity::Changing, backward ? tr("Undo") : tr("Redo"),
       [session = session_, backward](const Progress& /*progress*/) {
+        Acquisition acquisition(*session);
         if (backward)
-          session->undo();
+          acquisition.undo();
         else
-          session->redo();
+          acquisition.redo();
         return describe(*session);
       },
       [this](Publication publication) { publish(std::move(publication)); });
 }
 
 void SessionController::undo() {
-  if (canUndo()) move(true);
+  if (allowed(whyNotUndo())) move(true);
 }
 
 void SessionController::redo() {
-  if (canRedo()) move(false);
+  if (allowed(whyNotRedo())) move(false);
 }
 
 void SessionController::showMoment(int index) {
@@ -342,12 +392,12 @@ void SessionController::showMoment(int index) {
 
 void SessionController::showNow() {
   shown_.reset();
-  shownMoment_ = -1;
+  shownMoment_.reset();
   emit shownChanged();
 }
 
 void SessionController::exportModel(const QString& path) {
-  if (!now_ || !now_->model) return;
+  if (!allowed(whyNotExport())) return;
   start<bool>(
       Activity::Writing, tr("Writing %1").arg(path),
       [model = now_->model, path = path.toStdString()](const Progress& progress) {
@@ -358,7 +408,7 @@ void SessionController::exportModel(const QString& path) {
 }
 
 void SessionController::writeReport(const QString& path, ReportParts parts) {
-  if (!now_) return;
+  if (!allowed(whyNotExport())) return;
   start<bool>(
       Activity::Writing, tr("Writing %1").arg(path),
       [state = now_, path = path.toStdString(), parts = std::move(parts)](const Progress& progress) {

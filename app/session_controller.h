@@ -9,35 +9,19 @@
 #include <string>
 #include <vector>
 
-#include "acquisition/next_scan.h"
+#include "acquisition/acquisition.h"
 #include "acquisition/test_turn.h"
 #include "job_runner.h"
+#include "moments.h"
 #include "planning/explanation.h"
 #include "report/html_report.h"
-#include "scanner/table_turn.h"
 #include "session/session.h"
 #include "set_up.h"
+#include "turn_advice.h"
 
 namespace vantage {
 
 using SharedState = std::shared_ptr<const AcquisitionState>;
-
-/// One moment of a session: what led to it, and what there was.
-struct Moment {
-  QString text;
-  int views = 0;
-  int position = -1;      ///< of the scan that led to it; -1 for other commands
-  double newArea = 0.0;   ///< that the scan brought [mm^2]
-  bool rejected = false;  ///< the scan did not find its place
-  bool undone = false;    ///< it is behind the cursor and can be redone
-};
-
-/// How an operator turns the table from the last position to another one.
-struct TurnAdvice {
-  double from = 0.0;  ///< azimuth of the scanner about the object, counter-clockwise from +x [rad]
-  double to = 0.0;    ///< the same of the other position [rad]
-  TableTurn turn;
-};
 
 /// What the controller is busy with.
 enum class Activity { Idle, Preparing, Testing, Opening, Running, Pausing, Stopping, Changing, Writing };
@@ -70,39 +54,58 @@ class SessionController final : public QObject {
   /// Leaves the session as it is on the disk.
   void close();
 
-  /// Scans until nothing is left to see. Begins the session when there is none.
+  /// Who takes the next step. Kept in the session.
+  [[nodiscard]] Mode mode() const { return now_ ? now_->mode : mode_; }
+  void setMode(Mode mode);
+
+  /// Why something cannot be done now, as a sentence for the operator; empty when it can. What is called all the same
+  /// does nothing and says why (see refused).
+  [[nodiscard]] QString whyNotRun() const;
+  [[nodiscard]] QString whyNotScan() const;
+  [[nodiscard]] QString whyNotTestTurn() const;
+  [[nodiscard]] QString whyNot(const Command& command) const;
+  [[nodiscard]] QString whyNotUndo() const;
+  [[nodiscard]] QString whyNotRedo() const;
+  [[nodiscard]] QString whyNotExport() const;
+  [[nodiscard]] QString whyNotClose() const;
+
+  /// Scans until nothing is left to see. Begins the session when there is none, opens it again when the operator ended
+  /// it.
   void run();
-  /// One scan from the position that comes next, or from another one.
+  /// One scan from the position that comes next; begins and opens again like run.
   void step();
-  void scanFrom(int position);
   /// Ends a run after the step that is under way.
   void pause();
   /// Ends whatever is under way at once; a step that is not finished leaves no trace.
   void stop();
-  /// The position of the next scan; -1 goes back to what the plan proposes.
-  void choosePosition(int position);
+  /// The position of the next scan; nothing goes back to what the plan proposes.
+  void choosePosition(std::optional<int> position);
   void endHere();
   void goOn();
+  /// Raises the greatest number of views.
+  void allowMoreViews(int more);
   void leaveOut(std::int64_t scan);
   void takeBack(std::int64_t scan);
 
   [[nodiscard]] const SharedState& now() const { return now_; }
+  /// What comes next, also before there is a session: the one place that knows.
   [[nodiscard]] NextScan next() const;
-  /// From where the last scan was taken (the first position before that); nothing without turntable or position.
+  [[nodiscard]] std::optional<int> nextPosition() const;
+  /// Where the table stands: the one place that knows. Nothing without positions.
+  [[nodiscard]] std::optional<int> tablePosition() const;
+  /// How to turn the table from where it stands; nothing without turntable or position.
   [[nodiscard]] std::optional<TurnAdvice> turnTo(int position) const;
   /// What the plan that holds now says of a position; nothing without a plan.
   [[nodiscard]] std::optional<Explanation> explained(int position) const;
   [[nodiscard]] const std::vector<Moment>& moments() const { return moments_; }
   [[nodiscard]] int cursor() const { return cursor_; }
-  [[nodiscard]] bool canUndo() const { return idle() && cursor_ > 0; }
-  [[nodiscard]] bool canRedo() const { return idle() && cursor_ + 1 < static_cast<int>(moments_.size()); }
   void undo();
   void redo();
 
   /// What the views show: now, or an earlier moment.
   [[nodiscard]] const SharedState& shown() const { return shown_ ? shown_ : now_; }
-  [[nodiscard]] int shownMoment() const { return shownMoment_ < 0 ? cursor_ : shownMoment_; }
-  [[nodiscard]] bool showsNow() const { return shownMoment_ < 0 || shownMoment_ == cursor_; }
+  [[nodiscard]] int shownMoment() const { return shownMoment_.value_or(cursor_); }
+  [[nodiscard]] bool showsNow() const { return shownMoment_.value_or(cursor_) == cursor_; }
   void showMoment(int index);
   void showNow();
 
@@ -125,6 +128,7 @@ class SessionController final : public QObject {
   void runEnded();                    ///< an acquisition ended by itself
   void written(const QString& path);  ///< a model or report
   void failed(const QString& what);   ///< one sentence for the operator
+  void refused(const QString& why);   ///< what was asked for cannot be done now
   void message(const QString& what);  ///< for the log
 
  private:
@@ -132,6 +136,7 @@ class SessionController final : public QObject {
     SharedState state;
     std::vector<Moment> moments;
     int cursor = 0;
+    std::optional<int> table;
   };
   using SessionPointer = std::shared_ptr<Session>;
 
@@ -139,12 +144,16 @@ class SessionController final : public QObject {
   template <typename T>
   void start(Activity activity, const QString& title, std::function<T(const Progress&)> process,
              std::function<void(T)> done);
-  void scanInBackground(bool untilTheEnd, std::optional<int> position);
+  void scanInBackground(bool untilTheEnd);
+  [[nodiscard]] std::optional<Refusal> refusalOfScan() const;
+  [[nodiscard]] QString busyOr(const std::optional<Refusal>& refusal) const;
+  /// Whether there is nothing to say against; what there is, is said.
+  bool allowed(const QString& whyNot);
   void change(const Command& command);
   void move(bool backward);
   void adopt(const SessionPointer& session, const SharedSetUp& setUp, const QString& page);
   void publish(Publication publication);
-  [[nodiscard]] std::function<void(const Command&, const AcquisitionState&)> recorder(const SessionPointer& session);
+  [[nodiscard]] Acquisition::StepObserver publisher(const SessionPointer& session);
   [[nodiscard]] static Publication describe(const Session& session);
 
   JobRunner& jobs_;
@@ -154,11 +163,13 @@ class SessionController final : public QObject {
   std::optional<TestTurn> testTurn_;
   SessionPointer session_;
   Activity activity_ = Activity::Idle;
+  Mode mode_ = Mode::Automatic;  ///< before there is a session
+  std::optional<int> table_;
   JobRunner::Id job_ = 0;
   std::shared_ptr<std::atomic<bool>> pause_;
   SharedState now_;
   SharedState shown_;
-  int shownMoment_ = -1;
+  std::optional<int> shownMoment_;  ///< nothing: now
   std::vector<Moment> moments_;
   int cursor_ = 0;
   QString page_;

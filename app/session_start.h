@@ -3,7 +3,7 @@
 #include <memory>
 #include <string>
 
-#include "acquisition/automatic_run.h"
+#include "acquisition/acquisition.h"
 #include "session/session.h"
 #include "set_up.h"
 

@@ -18,7 +18,7 @@ struct PlanPictures {
 
 PlanPictures computePictures(const ViewSnapshot& snapshot, const Progress& progress) {
   const AcquisitionState& state = *snapshot.state;
-  const PlanInput input{*state.profile, *snapshot.scannerImages, *state.model, state.views,
+  const PlanInput input{*state.profile, *snapshot.scannerImages, *state.model, snapshot.views,
                         snapshot.current().value_or(-1)};
   PlanPictures pictures;
   pictures.images = std::make_shared<const PlanImages>(
@@ -89,11 +89,13 @@ void SessionViews::refresh() {
   const SharedSetUp& setUp = controller_.setUp();
   auto before = std::make_shared<AcquisitionState>();
   if (!state && setUp) before->profile = setUp->profile;
-  showSnapshot(makeSnapshot(state ? state : before, setUp ? setUp->images : nullptr));
-  model_->setNotice(
-      controller_.showsNow()
-          ? QString()
-          : tr("This is the session as it was after view %1. Back to now").arg(state ? state->views.size() : 0));
+  auto snapshot =
+      std::make_shared<ViewSnapshot>(*makeSnapshot(state ? state : before, setUp ? setUp->images : nullptr));
+  if (controller_.showsNow()) snapshot->table = controller_.tablePosition();
+  showSnapshot(snapshot);
+  model_->setNotice(controller_.showsNow() ? QString()
+                                           : tr("This is the session as it was after view %1. Back to now")
+                                                 .arg(state ? countScans(*state, ScanStatus::In) : 0));
   requestImages();
   examine(positionToExplain(*snapshot_));
   if (!snapshot_->proposed()) model_->view().examine(std::nullopt);

@@ -39,8 +39,8 @@ QString textOf(const ImportScans& command) {
   return Text::tr("%1 recorded scans imported").arg(command.scans.size());
 }
 QString textOf(const ChoosePosition& command) {
-  return command.position < 0 ? Text::tr("Proposed position taken again")
-                              : Text::tr("Position %1 chosen").arg(command.position);
+  return command.position ? Text::tr("Position %1 chosen").arg(*command.position)
+                          : Text::tr("Proposed position taken again");
 }
 QString textOf(const LeaveOutView& command) {
   return Text::tr("Scan %1 left out").arg(command.scan);
@@ -49,12 +49,19 @@ QString textOf(const TakeBackView& command) {
   return Text::tr("Scan %1 taken back").arg(command.scan);
 }
 QString textOf(const Finish& command) {
-  if (command.termination == Termination::Running) return Text::tr("Opened again");
-  const std::string_view code = name(command.termination);
-  return Text::tr("Ended: %1").arg(QLatin1String(code.data(), static_cast<qsizetype>(code.size())));
+  return command.termination == Termination::Running ? Text::tr("Opened again") : terminationText(command.termination);
 }
 QString textOf(const TakeOver& /*command*/) {
   return Text::tr("Taken over from an earlier version");
+}
+QString textOf(const TurnObject& /*command*/) {
+  return Text::tr("Object turned over");
+}
+QString textOf(const PlaceStand& command) {
+  return Text::tr("Stand %1 placed").arg(command.stand);
+}
+QString textOf(const ChangeMode& command) {
+  return command.mode == Mode::Automatic ? Text::tr("Automatic from here") : Text::tr("Assisted from here");
 }
 
 }  // namespace
@@ -117,7 +124,11 @@ QString terminationText(Termination termination) {
     case Termination::RegistrationFailed:
       return Text::tr("Ended: scans could not be registered.");
     case Termination::Cancelled:
+      return Text::tr("The run was stopped.");
+    case Termination::EndedByOperator:
       return Text::tr("Ended by you.");
+    case Termination::Imported:
+      return Text::tr("Recorded scans, put together. No view was planned, so nothing is known of what is left.");
   }
   return {};
 }

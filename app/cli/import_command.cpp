@@ -1,6 +1,7 @@
 #include <memory>
 #include <optional>
 
+#include "acquisition/acquisition.h"
 #include "acquisition/import_scans.h"
 #include "base/errors.h"
 #include "cli/command.h"
@@ -33,28 +34,30 @@ std::vector<RangeImage> readScans(const ImportArguments& args, const ScannerProf
     if (!args.poses.empty()) {
       const auto pose = findPose(poses, file);
       if (!pose) throw InvalidInput(args.poses + ": has no pose for " + file);
-      scan.T_object_scanner = *pose;
+      scan.T_table_scanner = *pose;
+      scan.poseKnownBy = PoseSource::Reported;
     }
     scans.push_back(std::move(scan));
   }
   return scans;
 }
 
-nlohmann::ordered_json importJson(const ImportArguments& args, const ImportResult& result) {
+nlohmann::ordered_json importJson(const ImportArguments& args, const AcquisitionState& state,
+                                  const VoidSurface& voids) {
   nlohmann::ordered_json json{{"session", args.session}, {"scans", nlohmann::ordered_json::array()}};
   for (std::size_t i = 0; i < args.files.size(); ++i) {
-    const ViewAlignment& a = result.alignment[i];
+    const RegistrationResult& registration = state.scans[i].record.registration;
     json["scans"].push_back({{"file", args.files[i]},
-                             {"verdict", name(a.verdict)},
-                             {"reason", describe(a.finding)},
-                             {"reason_code", name(a.finding.reason)},
-                             {"rms_mm", a.rms},
-                             {"inliers", a.inlierShare}});
+                             {"verdict", name(registration.verdict)},
+                             {"reason", describe(registration.finding)},
+                             {"reason_code", name(registration.finding.reason)},
+                             {"rms_mm", registration.rms},
+                             {"inliers", registration.inlierShare}});
   }
-  json["model"] = modelJson(result.state.model->mesh);
+  json["model"] = modelJson(state.model->mesh);
   double length = 0.0;
-  for (const VoidPatch& patch : result.voids.patches) length += patch.width;
-  json["void"] = voidCountsJson(result.voids);
+  for (const VoidPatch& patch : voids.patches) length += patch.width;
+  json["void"] = voidCountsJson(voids);
   json["void"]["length_mm"] = length;
   return json;
 }
@@ -69,24 +72,19 @@ void run(const ImportArguments& args, CommandContext& context) {
   const Progress progress = context.progress();
   std::vector<RangeImage> images = readScans(args, profile.get(), progress.part(0.0, 0.1, "read scans"));
   Session session = Session::create(args.session, {source, {}, nullptr, profile});
-  ImportScans command;
-  std::vector<NumberedScan> scans;
-  for (RangeImage& image : images) {
-    scans.push_back(session.keepScan(std::move(image)));
-    command.scans.push_back(scans.back().number);
-  }
-  ImportResult result = importScans(scans, importOptionsFor(*session.state()), progress.part(0.1, 1.0));
-  result.state.profile = session.profile();
-  session.record(command, result.state);
+  Acquisition(session).importScans(std::move(images), progress.part(0.1, 0.9));
+  const auto state = session.state();
+  const VoidSurface voids = buildVoidPatches(*state->model, viewsOf(*state), importOptionsFor(*state).voidSpace,
+                                             progress.part(0.9, 1.0, "void_patches"));
 
-  const auto json = importJson(args, result);
+  const auto json = importJson(args, *state, voids);
   std::string text;
   for (const auto& scan : json["scans"])
     text += scan["file"].get<std::string>() + ": " + scan["verdict"].get<std::string>() + ", " +
             number(scan["rms_mm"].get<double>(), 3) + " mm, " + scan["reason"].get<std::string>() + "\n";
   text += "model: " + json["model"]["triangles"].dump() + " triangles, " + json["model"]["boundary_edges"].dump() +
           " boundary edges, " + json["model"]["non_manifold_edges"].dump() +
-          " non-manifold\nstill void: " + std::to_string(result.voids.patches.size()) + " patches along " +
+          " non-manifold\nstill void: " + std::to_string(voids.patches.size()) + " patches along " +
           number(json["void"]["length_mm"].get<double>(), 0) + " mm of boundary\nwritten: " + args.session + "\n";
   context.result(json, text);
 }

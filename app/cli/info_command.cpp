@@ -18,9 +18,9 @@ void addSessionFacts(const std::string& path, CommandContext& context, FileInfo&
   const History& history = session.history();
   const StateOutline& outline = *history.current().outline;
   info.facts.emplace_back("scans", session.scanCount());
-  info.facts.emplace_back("views", static_cast<std::int64_t>(outline.views.size()));
-  info.facts.emplace_back("rejected", static_cast<std::int64_t>(outline.rejected.size()));
-  info.facts.emplace_back("left_out", static_cast<std::int64_t>(outline.leftOut.size()));
+  info.facts.emplace_back("views", static_cast<std::int64_t>(countScans(outline, ScanStatus::In)));
+  info.facts.emplace_back("rejected", static_cast<std::int64_t>(countScans(outline, ScanStatus::Rejected)));
+  info.facts.emplace_back("left_out", static_cast<std::int64_t>(countScans(outline, ScanStatus::LeftOut)));
   info.facts.emplace_back("steps", static_cast<std::int64_t>(history.size()));
   info.facts.emplace_back("last_step", describe(history.current().command));
   info.facts.emplace_back("state", std::string(name(outline.termination)));

@@ -75,7 +75,7 @@ void run(const PlanArguments& args, CommandContext& context) {
   const ScannerImages images = loadScannerImages(*profile, cacheDirectory(),
                                                  context.progress().part(0.2, 0.3, "positional space of the scanner"));
   // The plan that the session holds, else the one that the state gives.
-  std::shared_ptr<const Plan> plan = currentPlan(*state);
+  std::shared_ptr<const Plan> plan = state->plan;
   if (!plan)
     plan = std::make_shared<const Plan>(
         planAfter(*state, images, stepOptionsFor(*state), context.progress().part(0.3, 1.0)));

@@ -1,6 +1,7 @@
 #include <memory>
 #include <optional>
 
+#include "acquisition/steps.h"
 #include "base/errors.h"
 #include "charts/objective_chart.h"
 #include "cli/cache_directory.h"
@@ -44,9 +45,9 @@ std::shared_ptr<const AcquisitionState> stateAt(const Session& session, const Re
   const History& history = session.history();
   if (!args.step) return session.state();
   for (std::size_t k = history.cursor() + 1; k-- > 0;)
-    if (static_cast<int>(history.entry(k).outline->views.size()) == *args.step) return session.state(k);
+    if (static_cast<int>(countScans(*history.entry(k).outline, ScanStatus::In)) == *args.step) return session.state(k);
   throw InvalidInput("--step is " + std::to_string(*args.step) + ", " + args.session + " has steps 0 to " +
-                     std::to_string(history.current().outline->views.size()));
+                     std::to_string(countScans(*history.current().outline, ScanStatus::In)));
 }
 
 // What the views need, as far as the view that is asked for needs it.
@@ -58,19 +59,20 @@ SharedSnapshot snapshotFor(const RenderArguments& args, const Session& session, 
                        " needs one");
   if (!state->model) return makeSnapshot(state);
   const bool needsPlan = state->profile != nullptr && args.view != "model" && args.view != "ps-scanner";
-  const bool needsImages = positional || (needsPlan && !currentPlan(*state));
+  const bool needsImages = positional || (needsPlan && !state->plan);
   std::shared_ptr<const ScannerImages> images;
   if (needsImages)
     images = std::make_shared<const ScannerImages>(loadScannerImages(
         *state->profile, cacheDirectory(), context.progress().part(0.2, 0.3, "positional space of the scanner")));
-  auto plan = currentPlan(*state);
+  auto plan = state->plan;
   if (needsPlan && !plan)
     plan = std::make_shared<const Plan>(
         planAfter(*state, *images, stepOptionsFor(*state), context.progress().part(0.3, 0.6)));
   std::shared_ptr<const PlanImages> planImages;
+  const std::vector<View> views = viewsOf(*state);
   if (args.view == "ps-void" || args.view == "ps-seen")
     planImages = std::make_shared<const PlanImages>(
-        computePlanImages({*state->profile, *images, *state->model, state->views, -1}, *plan->voids,
+        computePlanImages({*state->profile, *images, *state->model, views, -1}, *plan->voids,
                           stepOptionsFor(*state).planner, context.progress().part(0.6, 0.9, "project")));
   auto snapshot = std::make_shared<ViewSnapshot>(*makeSnapshot(state, images, planImages));
   snapshot->plan = plan;

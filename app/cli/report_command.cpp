@@ -47,8 +47,8 @@ void run(const ReportArguments& args, CommandContext& context) {
   options.pictures = modelPictures(state);
   options.viewPictures = scanPictures(*state);
   writeTextFile(args.out, makeHtmlReport(*state, options));
-  context.result({{"file", args.out}, {"views", state->views.size()}},
-                 args.out + ": report of " + std::to_string(state->views.size()) + " views\n");
+  context.result({{"file", args.out}, {"views", countScans(*state, ScanStatus::In)}},
+                 args.out + ": report of " + std::to_string(countScans(*state, ScanStatus::In)) + " views\n");
 }
 
 }  // namespace

@@ -3,9 +3,7 @@
 #include <chrono>
 #include <filesystem>
 
-#include "acquisition/apply_command.h"
-#include "acquisition/automatic_run.h"
-#include "acquisition/next_scan.h"
+#include "acquisition/acquisition.h"
 #include "acquisition/patient_scanner.h"
 #include "base/errors.h"
 #include "cli/cache_directory.h"
@@ -16,13 +14,30 @@
 #include "report/report.h"
 #include "report/wording.h"
 #include "scanner/simulated_scanner.h"
-#include "session/kept_scans.h"
 
 namespace vantage {
 namespace {
 
 // A scanner that shows no progress for so long hangs.
 constexpr std::chrono::seconds kPatience{120};
+
+std::string positionText(const KeptScan& scan) {
+  return scan.station().position ? std::to_string(*scan.station().position) : "none";
+}
+
+std::string viewLine(const AcquisitionState& state, const KeptScan& scan) {
+  const ScanRecord& record = scan.record;
+  const std::size_t views = countScans(state, ScanStatus::In);
+  std::string line = "view " + std::to_string(views) + " at position " + positionText(scan) + ": " +
+                     std::to_string(record.samples) + " samples, +" + number(record.newArea, 0) +
+                     " mm2, registration " + std::string(name(record.registration.verdict));
+  if (views > 1) line += " (" + number(record.registration.rms, 3) + " mm)";
+  if (record.planAfter && record.planAfter->outcome == PlanOutcome::Found)
+    line += ", next " + std::to_string(record.planAfter->position) + " for " +
+            number(promise(record.planAfter->scores[static_cast<std::size_t>(record.planAfter->position)]), 0) +
+            " mm2 of void";
+  return line;
+}
 
 }  // namespace
 
@@ -32,23 +47,17 @@ void makeFolder(const std::string& path) {
   if (error || !std::filesystem::is_directory(path)) throw IoError(path, "cannot be made a folder: " + error.message());
 }
 
-std::string viewLine(const AcquisitionState& state) {
-  const ViewRecord& record = state.records.back();
-  std::string line = "view " + std::to_string(state.views.size()) + " at position " + std::to_string(record.position) +
-                     ": " + std::to_string(record.samples) + " samples, +" + number(record.newArea, 0) +
-                     " mm2, registration " + std::string(name(record.registration.verdict));
-  if (state.views.size() > 1) line += " (" + number(record.registration.rms, 3) + " mm)";
-  if (record.plan && record.plan->outcome == PlanOutcome::Found)
-    line += ", next " + std::to_string(record.plan->position) + " for " +
-            number(promise(record.plan->scores[static_cast<std::size_t>(record.plan->position)]), 0) + " mm2 of void";
-  return line;
-}
-
-std::string scanLine(const AcquisitionState& before, const AcquisitionState& after) {
-  if (after.rejected.size() <= before.rejected.size()) return viewLine(after);
-  const RejectedScan& scan = after.rejected.back();
-  return "scan at position " + std::to_string(scan.image->position) +
-         " was not integrated: registration failed: " + describe(scan.registration.finding);
+std::string lastScanLine(const AcquisitionState& state) {
+  const KeptScan& scan = state.scans.back();
+  switch (scan.status) {
+    case ScanStatus::Rejected:
+      return "scan at position " + positionText(scan) +
+             " was not integrated: registration failed: " + describe(scan.record.registration.finding);
+    case ScanStatus::Waiting:
+      return "scan at position " + positionText(scan) + " waits until it is known how the object stands";
+    default:
+      return viewLine(state, scan);
+  }
 }
 
 SessionRun::SessionRun(Session& session, std::string out, CommandContext& context)
@@ -78,34 +87,21 @@ void SessionRun::run(const Mesh& object) {
 void SessionRun::acquireAll(const Mesh& object) {
   if (last_->termination != Termination::Running) return;
   const auto profile = session_.profile();
-  const ScannerImages images = loadScannerImages(*profile, cacheDirectory(),
-                                                 context_.progress().part(0.0, 1.0, "positional space of the scanner"));
+  const auto images = std::make_shared<const ScannerImages>(loadScannerImages(
+      *profile, cacheDirectory(), context_.progress().part(0.0, 1.0, "positional space of the scanner")));
   // Scans that were taken before have moved the turntable, whatever became of them.
-  const auto unused = session_.unusedScan();
   const auto taken = static_cast<int>(session_.scanCount());
   const SimulationOptions simulation{last_->settings.seed, last_->settings.ideal};
-  PatientScanner scanner(std::make_shared<SimulatedScanner>(object, profile, simulation, taken), kPatience);
-  if (!last_->views.empty() && !currentPlan(*last_)) {
-    session_.record(ChangeSettings{last_->settings}, planned(*last_, images, context_.progress()));
-    last_ = session_.state();
-  }
-  if (unused) context_.note("scan " + std::to_string(unused->number) + " was not yet added: going on with it");
-  const StepObserver observer = [&](const Command& command, const AcquisitionState& state) {
-    session_.record(command, state);
-    context_.note(scanLine(*last_, state));
-    last_ = session_.state();
-  };
-  static_cast<void>(acquire(*last_, keptScans(scanner, session_), images, observer, context_.progress()));
-  if (last_->termination == Termination::Running) {
-    // Nothing was left to scan from the beginning.
-    const NextScan next = nextScan(*last_);
-    session_.record(Finish{next.termination}, [&] {
-      AcquisitionState ended = *last_;
-      ended.termination = next.termination;
-      return ended;
-    }());
-    last_ = session_.state();
-  }
+  const auto scanner = std::make_shared<PatientScanner>(
+      std::make_shared<SimulatedScanner>(object, profile, simulation, taken), kPatience);
+  if (const auto unused = session_.unusedScan())
+    context_.note("scan " + std::to_string(unused->number) + " was not yet added: going on with it");
+  Acquisition acquisition(session_, {scanner, images},
+                          [&](const Command& command, const auto& /*before*/, const auto&) {
+                            last_ = session_.state();
+                            if (std::holds_alternative<AddScan>(command)) context_.note(lastScanLine(*last_));
+                          });
+  acquisition.runUntilTheEnd(context_.progress());
 }
 
 void SessionRun::writeResults() {
@@ -118,8 +114,8 @@ void SessionRun::writeResults() {
 
 void SessionRun::announce() {
   const auto& model = report_["model"];
-  std::string text =
-      std::to_string(last_->views.size()) + " views, ended: " + std::string(name(last_->termination)) + "\n";
+  std::string text = std::to_string(countScans(*last_, ScanStatus::In)) +
+                     " views, ended: " + std::string(name(last_->termination)) + "\n";
   text += "model: " + model["triangles"].dump() + " triangles, " + model["boundary_edges"].dump() +
           " boundary edges, " + number(model["area_mm2"].get<double>(), 0) + " mm2\n";
   for (const auto& r : report_["remaining"])

@@ -20,7 +20,6 @@ class SessionRun {
  private:
   [[nodiscard]] std::string file(const char* name) const;
   void acquireAll(const Mesh& object);
-  void tell(const AcquisitionState& state);
   void writeResults();
   void announce();
 
@@ -31,11 +30,8 @@ class SessionRun {
   nlohmann::ordered_json report_;
 };
 
-/// What one scan brought, in a line.
-[[nodiscard]] std::string viewLine(const AcquisitionState& state);
-
-/// What became of the scan that was added last, in a line: viewLine, or why it was not integrated.
-[[nodiscard]] std::string scanLine(const AcquisitionState& before, const AcquisitionState& after);
+/// What became of the scan that was added last, in a line: what it brought, or why it was not integrated.
+[[nodiscard]] std::string lastScanLine(const AcquisitionState& state);
 
 /// Makes a folder and those above it. @throws IoError
 void makeFolder(const std::string& path);

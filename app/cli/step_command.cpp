@@ -1,7 +1,6 @@
 #include <memory>
 
-#include "acquisition/apply_command.h"
-#include "acquisition/next_scan.h"
+#include "acquisition/acquisition.h"
 #include "base/errors.h"
 #include "cli/cache_directory.h"
 #include "cli/command.h"
@@ -28,43 +27,37 @@ RangeImage readScan(const StepArguments& args, const Session& session, const Pro
     throw InvalidInput("--position is " + std::to_string(args.position) + ", the workspace has positions 0 to " +
                        std::to_string(profile->workspace.size() - 1));
   RangeImage image = readRangeFile(args.range, profile->rays, {}, progress);
-  image.position = args.position;
-  image.T_object_scanner = profile->workspace.poses[static_cast<std::size_t>(args.position)];
+  image.station.position = args.position;
+  image.poseKnownBy = PoseSource::Commanded;
+  image.T_table_scanner = profile->workspace.poses[static_cast<std::size_t>(args.position)];
   return image;
 }
 
-nlohmann::ordered_json stepJson(const AcquisitionState& before, const AcquisitionState& after) {
-  const bool added = after.rejected.size() == before.rejected.size();
-  const RegistrationResult& registration =
-      added ? after.records.back().registration : after.rejected.back().registration;
-  const NextScan next = nextScan(after);
-  return {{"added", added},
-          {"views", after.views.size()},
-          {"registration", registrationJson(registration)},
-          {"next_position", next.position},
-          {"state", name(after.termination)},
-          {"model", modelJson(after.model ? after.model->mesh : Mesh{})}};
+nlohmann::ordered_json stepJson(const AcquisitionState& state) {
+  const KeptScan& scan = state.scans.back();
+  return {{"added", scan.status == ScanStatus::In},
+          {"status", name(scan.status)},
+          {"views", countScans(state, ScanStatus::In)},
+          {"registration", registrationJson(scan.record.registration)},
+          {"next_position", nextPosition(state).value_or(-1)},
+          {"state", name(state.termination)},
+          {"model", modelJson(state.model ? state.model->mesh : Mesh{})}};
 }
 
 void run(const StepArguments& args, CommandContext& context) {
   Session session = openSession(args.session, SessionAccess::Write, context);
   const Progress progress = context.progress();
   RangeImage image = readScan(args, session, progress.part(0.0, 0.1, "read scan"));
-  const ScannerImages images = loadScannerImages(*session.profile(), cacheDirectory(),
-                                                 progress.part(0.1, 0.2, "positional space of the scanner"));
-  const auto before = session.state();
-  const NumberedScan scan = session.keepScan(std::move(image));
-  AddScan command{scan.number, {}};
-  if (const auto plan = currentPlan(*before)) command.predicted = plan->scores[static_cast<std::size_t>(args.position)];
-  const CommandInput input{[&](std::int64_t number) { return session.scan(number); }, &images};
-  session.record(command, applyCommand(*before, command, input, progress.part(0.2, 1.0)));
+  const auto images = std::make_shared<const ScannerImages>(loadScannerImages(
+      *session.profile(), cacheDirectory(), progress.part(0.1, 0.2, "positional space of the scanner")));
+  Acquisition acquisition(session, {nullptr, images});
+  acquisition.addScan(std::move(image), progress.part(0.2, 1.0));
 
   const auto after = session.state();
-  const NextScan next = nextScan(*after);
-  const std::string then = next.termination == Termination::Running
-                               ? "next best view: position " + std::to_string(next.position)
-                               : "nothing is left to scan: " + std::string(name(next.termination));
-  context.result(stepJson(*before, *after), scanLine(*before, *after) + "\n" + then + "\n");
+  const std::optional<int> next = nextPosition(*after);
+  const std::string then = next ? "next best view: position " + std::to_string(*next)
+                                : "nothing is left to scan: " + std::string(name(after->termination));
+  context.result(stepJson(*after), lastScanLine(*after) + "\n" + then + "\n");
 }
 
 }  // namespace

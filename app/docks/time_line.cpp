@@ -8,9 +8,9 @@ namespace vantage {
 namespace {
 
 QString caption(const Moment& moment) {
-  if (moment.position >= 0)
+  if (moment.position && !moment.rejected)
     return QCoreApplication::translate("TimeLine", "View %1 · position %2\n+%3")
-        .arg(QString::number(moment.views), QString::number(moment.position), areaText(moment.newArea));
+        .arg(QString::number(moment.views), QString::number(*moment.position), areaText(moment.newArea));
   return moment.text +
          (moment.rejected ? QCoreApplication::translate("TimeLine", "\ndid not fit") : QStringLiteral("\n "));
 }

@@ -5,11 +5,18 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "ending_text.h"
 #include "form_parts.h"
+#include "geometry/measures.h"
 #include "why_card.h"
 #include "wizard/next_view_box.h"
 
 namespace vantage {
+namespace {
+
+constexpr int kMoreViews = 10;
+
+}  // namespace
 
 AcquirePage::AcquirePage(SessionController& controller, QWidget* parent)
     : WizardPage(controller, parent),
@@ -24,9 +31,13 @@ AcquirePage::AcquirePage(SessionController& controller, QWidget* parent)
                        tr("Stop at once; the scan that is under way leaves no trace."))),
       scan_(makeButton(tr("The table is turned: &scan"), QStringLiteral("scan"), tr("Scan from the position shown."),
                        true)),
+      more_(makeButton(tr("&Allow %1 more views").arg(kMoreViews), QStringLiteral("more"),
+                       tr("Raise the greatest number of views and go on."))),
       end_(makeButton(tr("&End here"), QStringLiteral("end"), tr("End the acquisition with what has been scanned."))) {
   build();
-  connect(mode_, &QTabBar::currentChanged, this, &AcquirePage::refresh);
+  connect(mode_, &QTabBar::currentChanged, this,
+          [this](int tab) { this->controller().setMode(tab == 1 ? Mode::Assisted : Mode::Automatic); });
+  connect(more_, &QPushButton::clicked, this, [this] { this->controller().allowMoreViews(kMoreViews); });
   connect(run_, &QPushButton::clicked, &controller, &SessionController::run);
   connect(step_, &QPushButton::clicked, &controller, &SessionController::step);
   connect(scan_, &QPushButton::clicked, &controller, &SessionController::step);
@@ -58,6 +69,7 @@ void AcquirePage::build() {
   buttons->addWidget(step_, 2, 1);
   buttons->addWidget(stop_, 2, 2);
   column().addLayout(buttons);
+  column().addWidget(more_);
   column().addWidget(nextView_);
   addSection(tr("So far"));
   column().addWidget(figures_);
@@ -66,23 +78,16 @@ void AcquirePage::build() {
 }
 
 void AcquirePage::setAssisted(bool assisted) {
-  mode_->setCurrentIndex(assisted ? 1 : 0);
+  controller().setMode(assisted ? Mode::Assisted : Mode::Automatic);
 }
 
 bool AcquirePage::assisted() const {
-  return mode_->currentIndex() == 1;
+  return controller().mode() == Mode::Assisted;
 }
 
 void AcquirePage::entered() {
   controller().prepare();
   refresh();
-}
-
-bool AcquirePage::goesOn() const {
-  const NextScan next = controller().next();
-  const bool open = !controller().now() || controller().now()->termination == Termination::Running ||
-                    controller().now()->chosenPosition >= 0;
-  return open && next.termination == Termination::Running && controller().setUp() && controller().setUp()->object;
 }
 
 QString AcquirePage::status() const {
@@ -98,8 +103,12 @@ QString AcquirePage::status() const {
     default:
       break;
   }
-  if (!controller().now() || controller().now()->views.empty()) return tr("Nothing has been scanned yet.");
-  return goesOn() ? tr("Stopped. The next view is ready.") : tr("Nothing is left that another view would show.");
+  const SharedState& now = controller().now();
+  if (!now || now->scans.empty()) return tr("Nothing has been scanned yet.");
+  const QString failure = failedScanText(*now);
+  const QString rest =
+      now->termination == Termination::Running ? tr("Stopped. The next view is ready.") : endingText(*now);
+  return failure.isEmpty() ? rest : failure + QLatin1Char('\n') + rest;
 }
 
 QString AcquirePage::whatNext() const {
@@ -109,8 +118,8 @@ QString AcquirePage::whatNext() const {
   if (!complete())
     return assisted() ? tr("You turn the table as the dial says; after each scan the best next view is shown.")
                       : tr("Run scans from one position after the other, each chosen by what is still unseen.");
-  return goesOn() ? tr("Go on scanning, or look at what there is so far.")
-                  : tr("The review shows what is covered and what is left.");
+  return controller().whyNotScan().isEmpty() ? tr("Go on scanning, or look at what there is so far.")
+                                             : tr("The review shows what is covered and what is left.");
 }
 
 bool AcquirePage::complete() const {
@@ -118,19 +127,22 @@ bool AcquirePage::complete() const {
 }
 
 void AcquirePage::refresh() {
-  const bool idle = controller().idle();
-  const bool running = controller().activity() == Activity::Running;
+  const QSignalBlocker quiet(mode_);
+  mode_->setCurrentIndex(assisted() ? 1 : 0);
+  const SharedState& now = controller().now();
   nextView_->setAssisted(assisted());
   status_->setText(status());
-  run_->setVisible(!assisted());
-  step_->setVisible(!assisted());
+  for (QPushButton* button : {run_, step_, pause_}) button->setVisible(!assisted());
   scan_->setVisible(assisted());
-  pause_->setVisible(!assisted());
   run_->setText(complete() ? tr("&Go on") : tr("&Run"));
-  for (QPushButton* button : {run_, step_, scan_}) button->setEnabled(idle && goesOn());
-  pause_->setEnabled(running);
-  stop_->setEnabled(!idle && controller().activity() != Activity::Stopping);
-  end_->setEnabled(complete() && goesOn());
+  allow(*run_, controller().whyNotRun());
+  allow(*step_, controller().whyNotScan());
+  allow(*scan_, controller().whyNotScan());
+  allow(*pause_, controller().activity() == Activity::Running ? QString() : tr("Nothing runs that could pause."));
+  const bool stoppable = !controller().idle() && controller().activity() != Activity::Stopping;
+  allow(*stop_, stoppable ? QString() : tr("Nothing runs that could be stopped."));
+  more_->setVisible(now && now->termination == Termination::MaxViews);
+  allow(*end_, controller().whyNot(Finish{Termination::EndedByOperator}));
   refreshFigures();
   emit changed();
 }
@@ -138,16 +150,15 @@ void AcquirePage::refresh() {
 void AcquirePage::refreshFigures() {
   figures_->clear();
   const SharedState& now = controller().now();
-  figures_->add(tr("Scans"), QString::number(now ? now->views.size() : 0));
-  if (!now || now->records.empty()) return;
-  if (!now->rejected.empty())
-    figures_->add(tr("Scans that did not fit"), QString::number(now->rejected.size()),
-                  tr("kept, but not part of the model"));
-  double area = 0.0;
-  for (const ViewRecord& record : now->records) area += record.newArea;
-  figures_->add(tr("Surface"), areaText(area),
-                tr("%1 new by the last scan").arg(areaText(now->records.back().newArea)));
-  const auto plan = currentPlan(*now);
+  const std::size_t views = now ? countScans(*now, ScanStatus::In) : 0;
+  figures_->add(tr("Views in the model"), QString::number(views));
+  if (!now || now->scans.empty()) return;
+  if (const std::size_t rejected = countScans(*now, ScanStatus::Rejected))
+    figures_->add(tr("Scans that did not fit"), QString::number(rejected), tr("kept, but not part of the model"));
+  if (now->model)
+    figures_->add(tr("Surface"), areaText(area(now->model->mesh)),
+                  tr("%1 new by the last scan").arg(areaText(now->scans.back().record.newArea)));
+  const auto& plan = now->plan;
   if (!plan || !plan->voids) return;
   const auto open =
       std::count_if(plan->outlook.begin(), plan->outlook.end(), [](const auto& o) { return !o.answered; });

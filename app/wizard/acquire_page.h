@@ -34,7 +34,6 @@ class AcquirePage final : public WizardPage {
   void refreshFigures();
   [[nodiscard]] QString status() const;
   [[nodiscard]] bool assisted() const;
-  [[nodiscard]] bool goesOn() const;
 
   QTabBar* mode_;
   QLabel* status_;
@@ -45,6 +44,7 @@ class AcquirePage final : public WizardPage {
   QPushButton* step_;
   QPushButton* stop_;
   QPushButton* scan_;
+  QPushButton* more_;
   QPushButton* end_;
 };
 

@@ -68,8 +68,7 @@ void CheckPage::refresh() {
   figures_->clear();
   const bool outside = setUp && setUp->object && !setUp->insideVolume;
   fit_->setVisible(outside && !controller().hasSession());
-  turn_->setEnabled(setUp && setUp->object && setUp->profile && setUp->profile->workspace.steps > 1 &&
-                    controller().idle());
+  allow(*turn_, controller().whyNotTestTurn());
   if (!setUp) {
     verdict_->setText(controller().activity() == Activity::Preparing ? tr("Reading…") : tr("Nothing is chosen yet."));
   } else if (!setUp->object) {

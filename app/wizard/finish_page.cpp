@@ -79,8 +79,8 @@ void FinishPage::leaving() {
 }
 
 void FinishPage::refresh() {
-  const bool ready = controller().idle() && controller().now() && controller().now()->model;
-  for (QWidget* button : exports_) button->setEnabled(ready);
+  const QString whyNot = controller().whyNotExport();
+  for (QPushButton* button : exports_) allow(*button, whyNot);
   place_->setText(tr("Into %1").arg(QDir::toNativeSeparators(inFolder({}))));
   emit changed();
 }

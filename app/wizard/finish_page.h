@@ -33,7 +33,7 @@ class FinishPage final : public WizardPage {
 
   QLabel* place_;
   QLabel* written_;
-  QList<QWidget*> exports_;
+  QList<QPushButton*> exports_;
 };
 
 }  // namespace vantage

@@ -39,7 +39,7 @@ NextViewBox::NextViewBox(SessionController& controller, QWidget* parent)
     emit considered(position);
   });
   connect(take_, &QPushButton::clicked, this, [this] { controller_.choosePosition(other_->value()); });
-  connect(back_, &QPushButton::clicked, this, [this] { controller_.choosePosition(-1); });
+  connect(back_, &QPushButton::clicked, this, [this] { controller_.choosePosition({}); });
   connect(&controller, &SessionController::stateChanged, this, &NextViewBox::refresh);
   connect(&controller, &SessionController::setUpChanged, this, &NextViewBox::refresh);
   connect(&controller, &SessionController::activityChanged, this, &NextViewBox::refresh);
@@ -70,35 +70,37 @@ QString NextViewBox::instruction(int position) const {
 }
 
 void NextViewBox::refresh() {
-  const NextScan next = controller_.next();
-  const bool goesOn = next.termination == Termination::Running && next.position >= 0;
+  const std::optional<int> next = controller_.nextPosition();
   if (controller_.setUp() && controller_.setUp()->profile)
     other_->setMaximum(static_cast<int>(controller_.setUp()->profile->workspace.size()) - 1);
-  const bool chosen = controller_.now() && controller_.now()->chosenPosition >= 0;
-  if (!goesOn) {
+  const bool chosen = controller_.now() && controller_.now()->chosenPosition;
+  const auto why = next ? controller_.explained(*next) : std::nullopt;
+  if (!next)
     headline_->setText(tr("No further view is proposed."));
-  } else if (const auto why = controller_.explained(next.position)) {
+  else if (why)
     headline_->setText((chosen ? tr("Position %1, your choice: shows %2") : tr("Position %1, proposed: shows %2"))
-                           .arg(QString::number(next.position), areaText(why->promise)));
-  } else {
-    headline_->setText(tr("Position %1").arg(next.position));
-  }
-  const auto advice = goesOn ? controller_.turnTo(next.position) : std::nullopt;
+                           .arg(QString::number(*next), areaText(why->promise)));
+  else
+    headline_->setText(tr("Position %1").arg(*next));
+  const auto advice = next ? controller_.turnTo(*next) : std::nullopt;
   dial_->setVisible(assisted_ && advice.has_value());
-  instruction_->setVisible(assisted_ && goesOn);
+  instruction_->setVisible(assisted_ && next.has_value());
   if (advice) dial_->show(advice->from, advice->to, advice->turn.angle);
-  instruction_->setText(goesOn ? instruction(next.position) : QString());
-  const bool mayChoose = controller_.hasSession() && controller_.idle();
-  for (QWidget* editor : {static_cast<QWidget*>(other_), static_cast<QWidget*>(take_)}) editor->setEnabled(mayChoose);
-  back_->setEnabled(mayChoose && chosen);
+  instruction_->setText(next ? instruction(*next) : QString());
+  const QString whyNot = controller_.whyNot(ChoosePosition{other_->value()});
+  other_->setEnabled(whyNot.isEmpty());
+  allow(*take_, whyNot);
+  allow(*back_, chosen ? controller_.whyNot(ChoosePosition{}) : tr("The proposed position is next already."));
   refreshCost();
 }
 
 void NextViewBox::refreshCost() {
-  const auto plan = controller_.now() ? currentPlan(*controller_.now()) : nullptr;
+  const auto plan = controller_.now() ? controller_.now()->plan : nullptr;
   const auto other = controller_.explained(other_->value());
   if (!plan || !other) return cost_->setText(tr("After the first scan every position is compared here."));
   if (plan->position < 0) return cost_->setText(tr("It would show %1.").arg(areaText(other->promise)));
+  if (controller_.nextPosition() == other->position && plan->position != other->position)
+    return cost_->setText(tr("The next scan is taken from here."));
   if (plan->position == other->position) return cost_->setText(tr("This is the proposed position."));
   const auto best = controller_.explained(plan->position);
   const double lost = best->promise - other->promise;

@@ -4,7 +4,9 @@
 #include <QTableWidget>
 #include <QVBoxLayout>
 
+#include "ending_text.h"
 #include "form_parts.h"
+#include "geometry/measures.h"
 #include "report/edges_left.h"
 #include "why_card.h"
 #include "wording.h"
@@ -15,6 +17,20 @@ namespace {
 constexpr int kScanRole = Qt::UserRole;
 constexpr int kLeftOutRole = Qt::UserRole + 1;
 
+QString statusText(const KeptScan& scan) {
+  switch (scan.status) {
+    case ScanStatus::Rejected:
+      return ReviewPage::tr("did not fit");
+    case ScanStatus::LeftOut:
+      return ReviewPage::tr("left out");
+    case ScanStatus::Waiting:
+      return ReviewPage::tr("waits");
+    case ScanStatus::In:
+      break;
+  }
+  return scan.record.registration.verdict == Verdict::Good ? ReviewPage::tr("good") : ReviewPage::tr("doubtful");
+}
+
 }  // namespace
 
 ReviewPage::ReviewPage(SessionController& controller, QWidget* parent)
@@ -22,7 +38,7 @@ ReviewPage::ReviewPage(SessionController& controller, QWidget* parent)
       reason_(makeLabel({}, "section")),
       figures_(new FigureTable),
       left_(new FigureTable),
-      views_(new QTableWidget(0, 4)),
+      views_(new QTableWidget(0, 5)),
       toggle_(makeButton(tr("&Leave this view out"), QStringLiteral("leaveOut"),
                          tr("Make the model without this view, or take it back. The scan is kept."))) {
   column().addWidget(reason_);
@@ -30,7 +46,7 @@ ReviewPage::ReviewPage(SessionController& controller, QWidget* parent)
   addSection(tr("What is left, and why"));
   column().addWidget(left_);
   addSection(tr("Views"));
-  views_->setHorizontalHeaderLabels({tr("View"), tr("Position"), tr("New mm²"), tr("Fit mm")});
+  views_->setHorizontalHeaderLabels({tr("Scan"), tr("Position"), tr("New mm²"), tr("Fit mm"), tr("Verdict")});
   views_->verticalHeader()->hide();
   views_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
   views_->setSelectionBehavior(QAbstractItemView::SelectRows);
@@ -43,9 +59,13 @@ ReviewPage::ReviewPage(SessionController& controller, QWidget* parent)
   connect(toggle_, &QPushButton::clicked, this, &ReviewPage::toggle);
   connect(views_, &QTableWidget::itemSelectionChanged, this, [this] {
     const auto* item = views_->item(views_->currentRow(), 0);
-    toggle_->setEnabled(item != nullptr && this->controller().idle());
-    toggle_->setText(item != nullptr && item->data(kLeftOutRole).toBool() ? tr("&Take this view back")
-                                                                          : tr("&Leave this view out"));
+    const bool leftOut = item != nullptr && item->data(kLeftOutRole).toBool();
+    const auto scan = item == nullptr ? 0 : static_cast<std::int64_t>(item->data(kScanRole).toLongLong());
+    const QString whyNot = item == nullptr ? tr("Choose a scan in the list first.")
+                           : leftOut       ? this->controller().whyNot(TakeBackView{scan})
+                                           : this->controller().whyNot(LeaveOutView{scan});
+    allow(*toggle_, whyNot);
+    toggle_->setText(leftOut ? tr("&Take this view back") : tr("&Leave this view out"));
   });
   connect(&controller, &SessionController::stateChanged, this, &ReviewPage::refresh);
   connect(&controller, &SessionController::activityChanged, this, [this] { emit changed(); });
@@ -74,17 +94,15 @@ void ReviewPage::refresh() {
   figures_->clear();
   left_->clear();
   views_->setRowCount(0);
-  toggle_->setEnabled(false);
+  allow(*toggle_, tr("Choose a scan in the list first."));
   const SharedState& now = controller().now();
   if (!now || !now->model) {
     reason_->setText(tr("Nothing has been scanned yet."));
     return;
   }
-  reason_->setText(terminationText(now->termination));
-  double area = 0.0;
-  for (const ViewRecord& record : now->records) area += record.newArea;
-  figures_->add(tr("Views"), QString::number(now->views.size()));
-  figures_->add(tr("Surface"), areaText(area));
+  reason_->setText(endingText(*now));
+  figures_->add(tr("Views"), QString::number(countScans(*now, ScanStatus::In)));
+  figures_->add(tr("Surface"), areaText(area(now->model->mesh)));
   figures_->add(tr("Triangles"), QString::number(now->model->mesh.triangles.size()));
   refreshLeft(*now);
   refreshViews(*now);
@@ -92,30 +110,38 @@ void ReviewPage::refresh() {
 }
 
 void ReviewPage::refreshLeft(const AcquisitionState& state) {
-  const auto plan = currentPlan(state);
+  const auto& plan = state.plan;
+  if (!plan && state.termination == Termination::Imported)
+    left_->add(tr("Not known: nothing is planned from recorded scans."), {});
   if (!plan || !plan->voids) return;
   for (const EdgesLeft& left : edgesLeft(*plan))
     left_->add(edgeReasonText(left.reason, plan->outcome), tr("%1 mm of edge").arg(figureText(left.length)));
   if (plan->voids->patches.empty()) left_->add(tr("Nothing: the surface is closed."), {});
 }
 
-void ReviewPage::addView(const ViewRecord& record, bool leftOut) {
+// Every scan keeps its number; what is no view says what it is.
+void ReviewPage::addScan(const KeptScan& scan) {
   const int row = views_->rowCount();
   views_->insertRow(row);
-  const QString texts[] = {leftOut ? tr("left out") : QString::number(row + 1), QString::number(record.position),
-                           figureText(record.newArea), figureText(record.registration.rms, 3)};
-  for (int column = 0; column < 4; ++column) {
+  const bool leftOut = scan.status == ScanStatus::LeftOut;
+  const bool in = scan.status == ScanStatus::In;
+  const std::optional<int> position = scan.station().position;
+  const RegistrationResult& registration = scan.record.registration;
+  const QString texts[] = {QString::number(scan.number), position ? QString::number(*position) : tr("none"),
+                           in ? figureText(scan.record.newArea) : QString(),
+                           in || leftOut ? figureText(registration.rms, 3) : QString(), statusText(scan)};
+  for (int column = 0; column < 5; ++column) {
     auto* item = new QTableWidgetItem(texts[column]);
-    item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    item->setTextAlignment((column < 4 ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
+    item->setToolTip(findingText(registration.finding));
     views_->setItem(row, column, item);
   }
-  views_->item(row, 0)->setData(kScanRole, static_cast<qlonglong>(record.scan));
+  views_->item(row, 0)->setData(kScanRole, static_cast<qlonglong>(scan.number));
   views_->item(row, 0)->setData(kLeftOutRole, leftOut);
 }
 
 void ReviewPage::refreshViews(const AcquisitionState& state) {
-  for (const ViewRecord& record : state.records) addView(record, false);
-  for (const LeftOutView& view : state.leftOut) addView(view.record, true);
+  for (const KeptScan& scan : state.scans) addScan(scan);
 }
 
 }  // namespace vantage

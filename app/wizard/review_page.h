@@ -28,7 +28,7 @@ class ReviewPage final : public WizardPage {
   void refresh();
   void refreshLeft(const AcquisitionState& state);
   void refreshViews(const AcquisitionState& state);
-  void addView(const ViewRecord& record, bool leftOut);
+  void addScan(const KeptScan& scan);
   void toggle();
 
   QLabel* reason_;

@@ -6,61 +6,68 @@
 #include <string_view>
 #include <vector>
 
-#include "acquisition/phase_times.h"
+#include "acquisition/kept_scan.h"
 #include "acquisition/settings.h"
+#include "acquisition/stand.h"
 #include "integration/model.h"
 #include "planning/plan.h"
-#include "registration/icp.h"
 #include "scanner/profile.h"
-#include "scanner/view.h"
 
 namespace vantage {
 
-/// What one scan brought.
-struct ViewRecord {
-  std::int64_t scan = -1;  ///< number of the scan in its session: commands name a view by it
-  int position = -1;
-  std::size_t samples = 0;
-  std::size_t triangles = 0;               ///< of the scan's own mesh
-  std::optional<PositionScore> predicted;  ///< by the plan that chose it
-  RegistrationResult registration;         ///< against the model before it; of the first view trivially good
-  double newArea = 0.0;                    ///< what the model's area grew by [mm^2]
-  double overlapArea = 0.0;                ///< of the scan's area what the model had already [mm^2]
-  std::shared_ptr<const Plan> plan;        ///< made after it; none for baselines
-  PhaseTimes seconds;                      ///< for the report only
-};
-
 /// Why an acquisition ended.
-enum class Termination : std::uint8_t { Running, Finished, NoOverlap, MaxViews, RegistrationFailed, Cancelled };
+enum class Termination : std::uint8_t {
+  Running,             ///< it has not
+  Finished,            ///< no position would show more than is worth a scan
+  NoOverlap,           ///< void is left, but no position that shows it overlaps the model enough
+  MaxViews,            ///< the greatest number of views was taken
+  RegistrationFailed,  ///< scans did not find their place, several times in a row
+  Cancelled,           ///< a run was stopped by a signal; never recorded
+  EndedByOperator,     ///< the operator had enough
+  Imported,            ///< recorded scans were put together; nothing was planned
+};
+inline constexpr Termination kLastTermination = Termination::Imported;
+/// "running", "finished", "no_overlap", "max_views", "registration_failed", "cancelled", "ended_by_operator",
+/// "imported".
 [[nodiscard]] std::string_view name(Termination termination);
 
-/// A scan whose registration failed: it is kept, but not integrated.
-struct RejectedScan {
-  std::int64_t scan = -1;
-  std::shared_ptr<const RangeImage> image;
-  RegistrationResult registration;
-};
-
-/// A view that the operator took out of the model, with the place that it had.
-struct LeftOutView {
-  View view;
-  ViewRecord record;
-};
+/// Who takes the next step: the program, or a person who turns the table and confirms every scan.
+enum class Mode : std::uint8_t { Automatic, Assisted };
+inline constexpr Mode kLastMode = Mode::Assisted;
+/// "automatic", "assisted".
+[[nodiscard]] std::string_view name(Mode mode);
 
 /// Everything known at one moment of an acquisition. Commands make a new state; old ones share what did not change.
 struct AcquisitionState {
   std::shared_ptr<const ScannerProfile> profile;  ///< null for recorded scans without one
   AcquisitionSettings settings;
-  std::vector<View> views;
-  std::vector<ViewRecord> records;     ///< one per view
-  std::shared_ptr<const Model> model;  ///< null before the first view
-  std::vector<RejectedScan> rejected;
-  std::vector<LeftOutView> leftOut;  ///< by number of the scan
-  int chosenPosition = -1;           ///< where the operator wants the next scan from; -1: as proposed
+  Mode mode = Mode::Automatic;
+  std::vector<Stand> stands{{Pose::Identity()}};  ///< in the order in which the object was turned over; never empty
+  std::vector<KeptScan> scans;                    ///< in the order in which they were added
+  std::shared_ptr<const Model> model;             ///< of the scans that are in; null before the first one
+  std::shared_ptr<const Plan> plan;               ///< for the stand of now; null without one
+  std::optional<int> chosenPosition;              ///< where the operator wants the next scan from, else as proposed
   Termination termination = Termination::Running;
+
+  /// The stand in which the object is now: the last one.
+  [[nodiscard]] int stand() const { return static_cast<int>(stands.size()) - 1; }
 };
 
-/// The plan that holds now: that of the last view. Null before the first view and for baselines.
-[[nodiscard]] std::shared_ptr<const Plan> currentPlan(const AcquisitionState& state);
+/// The views of the model, in order: the model counts them so.
+[[nodiscard]] std::vector<View> viewsOf(const AcquisitionState& state);
+
+/// The scans of a status, in order. They live as long as the state.
+[[nodiscard]] std::vector<const KeptScan*> scansOf(const AcquisitionState& state, ScanStatus status);
+[[nodiscard]] std::size_t countScans(const AcquisitionState& state, ScanStatus status);
+
+/// The last scan that is a view of the model, of one stand or of any; null when there is none.
+[[nodiscard]] const KeptScan* lastView(const AcquisitionState& state, std::optional<int> stand = {});
+
+/// The scan of that number; null when the state has none.
+[[nodiscard]] const KeptScan* findScan(const AcquisitionState& state, std::int64_t number);
+
+/// The pose of a position of the workspace as the object stands now, T_object_scanner.
+/// @pre the stand's pose is known, the profile has the position
+[[nodiscard]] Pose poseOf(const AcquisitionState& state, int position);
 
 }  // namespace vantage

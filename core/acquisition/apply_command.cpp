@@ -3,22 +3,14 @@
 #include <utility>
 
 #include "acquisition/import_scans.h"
+#include "acquisition/may_do.h"
 #include "acquisition/next_scan.h"
+#include "acquisition/refusal_error.h"
 #include "acquisition/steps.h"
 #include "base/errors.h"
 
 namespace vantage {
 namespace {
-
-void checkPosition(const AcquisitionState& state, int position) {
-  if (!state.profile)
-    throw InvalidInput("position " + std::to_string(position) +
-                       ": the session has no scanner profile, so no positions");
-  const auto positions = static_cast<int>(state.profile->workspace.size());
-  if (position < 0 || position >= positions)
-    throw InvalidInput("position " + std::to_string(position) + " does not exist, the workspace has positions 0 to " +
-                       std::to_string(positions - 1));
-}
 
 // Carries out one kind of command each.
 class Carrier {
@@ -28,7 +20,6 @@ class Carrier {
 
   AcquisitionState operator()(const ChangeSettings& command) const {
     AcquisitionState next = state_;
-    if (state_.profile) checkPosition(state_, command.settings.firstView);
     next.settings = command.settings;
     return replanned(std::move(next));
   }
@@ -37,41 +28,39 @@ class Carrier {
     PhaseTimer timer;
     const Progress watched = timer.watch(progress_);
     const auto image = input_.scan(command.scan);
-    checkPosition(state_, image->position);
+    checkPosition(*image);
     AcquisitionState next =
         addScan(state_, {command.scan, image}, command.predicted, stepOptionsFor(state_), watched.part(0.0, 0.5));
-    next.chosenPosition = -1;
-    const bool added = next.views.size() > state_.views.size();
-    if (added && input_.images != nullptr) next = planned(std::move(next), *input_.images, watched.part(0.5, 1.0));
-    if (added) next.records.back().seconds = timer.finish();
-    next.termination = nextScan(next).termination;
-    return next;
+    next.chosenPosition.reset();
+    next.termination = Termination::Running;
+    if (next.scans.back().status != ScanStatus::In) return judged(std::move(next));
+    next = planned(std::move(next), watched.part(0.5, 1.0));
+    ScanRecord& record = next.scans.back().record;
+    record.planAfter = next.plan;
+    record.seconds = timer.finish();
+    record.seconds.insert(input_.before.begin(), input_.before.end());
+    return judged(std::move(next));
   }
 
   AcquisitionState operator()(const ImportScans& command) const {
-    if (!state_.views.empty() || !state_.rejected.empty())
-      throw InvalidInput("recorded scans can only be imported into an empty session");
     std::vector<NumberedScan> scans;
     for (const std::int64_t scan : command.scans) scans.push_back({scan, input_.scan(scan)});
-    AcquisitionState next = importScans(scans, importOptionsFor(state_), progress_).state;
-    next.profile = state_.profile;
-    next.settings = state_.settings;
-    return next;
+    return importScans(state_, scans, importOptionsFor(state_), progress_);
   }
 
   AcquisitionState operator()(const ChoosePosition& command) const {
-    if (command.position >= 0) checkPosition(state_, command.position);
     AcquisitionState next = state_;
-    next.chosenPosition = command.position < 0 ? -1 : command.position;
-    return next;
+    next.chosenPosition = command.position;
+    if (command.position) next.termination = Termination::Running;
+    return judged(std::move(next));
   }
 
   AcquisitionState operator()(const LeaveOutView& command) const {
-    return replanned(leaveOutView(state_, command.scan, stepOptionsFor(state_), progress_.part(0.0, 0.5)));
+    return replanned(withStatus(state_, command.scan, ScanStatus::LeftOut, stepOptionsFor(state_), firstHalf()));
   }
 
   AcquisitionState operator()(const TakeBackView& command) const {
-    return replanned(takeBackView(state_, command.scan, stepOptionsFor(state_), progress_.part(0.0, 0.5)));
+    return replanned(withStatus(state_, command.scan, ScanStatus::In, stepOptionsFor(state_), firstHalf()));
   }
 
   AcquisitionState operator()(const Finish& command) const {
@@ -80,18 +69,57 @@ class Carrier {
     return next;
   }
 
-  AcquisitionState operator()(const TakeOver& /*command*/) const {
-    throw InvalidInput("views that were taken over from an earlier version cannot be replayed");
+  AcquisitionState operator()(const TakeOver& /*command*/) const { return state_; }
+
+  AcquisitionState operator()(const TurnObject& command) const {
+    AcquisitionState next = state_;
+    next.stands.push_back({command.T_object_table});
+    next.chosenPosition.reset();
+    next.termination = Termination::Running;
+    return replanned(std::move(next));
+  }
+
+  AcquisitionState operator()(const PlaceStand& command) const {
+    return replanned(placeStand(state_, command.stand, command.T_object_table, stepOptionsFor(state_), firstHalf()));
+  }
+
+  AcquisitionState operator()(const ChangeMode& command) const {
+    AcquisitionState next = state_;
+    next.mode = command.mode;
+    return next;
   }
 
  private:
-  // The last view's plan spoke of another model or other settings.
-  [[nodiscard]] AcquisitionState replanned(AcquisitionState next) const {
-    if (next.views.empty()) return next;
-    next.records.back().plan = nullptr;
-    if (input_.images != nullptr) next = planned(std::move(next), *input_.images, progress_.part(0.5, 1.0));
-    if (next.profile) next.termination = nextScan(next).termination;
+  [[nodiscard]] Progress firstHalf() const { return progress_.part(0.0, 0.5); }
+
+  void checkPosition(const RangeImage& image) const {
+    const std::optional<int> position = image.station.position;
+    const auto positions = static_cast<int>(state_.profile->workspace.size());
+    if (!position || *position < 0 || *position >= positions)
+      throw InvalidInput((position ? "position " + std::to_string(*position) + " of the scan does not exist"
+                                   : std::string("the scan is of no position")) +
+                         ", the workspace has positions 0 to " + std::to_string(positions - 1));
+  }
+
+  // With a plan for the stand of now, when the strategy needs one.
+  [[nodiscard]] AcquisitionState planned(AcquisitionState next, const Progress& progress) const {
+    next.plan = nullptr;
+    const bool needed = next.settings.strategy.kind == Strategy::Kind::PositionalSpace;
+    const bool possible = input_.images != nullptr && next.profile && next.model && next.stands.back().T_object_table;
+    if (needed && possible)
+      next.plan = std::make_shared<const Plan>(planAfter(next, *input_.images, stepOptionsFor(next), progress));
     return next;
+  }
+
+  // Whether something comes next. Recorded scans without a scanner end as they were brought to an end.
+  [[nodiscard]] static AcquisitionState judged(AcquisitionState next) {
+    if (next.profile) next.termination = terminationOf(nextScan(next));
+    return next;
+  }
+
+  // The plan spoke of another model, other settings or another stand.
+  [[nodiscard]] AcquisitionState replanned(AcquisitionState next) const {
+    return judged(planned(std::move(next), progress_.part(0.5, 1.0)));
   }
 
   const AcquisitionState& state_;
@@ -103,14 +131,8 @@ class Carrier {
 
 AcquisitionState applyCommand(const AcquisitionState& state, const Command& command, const CommandInput& input,
                               const Progress& progress) {
+  if (const auto refusal = mayDo(state, command)) throwRefusal(*refusal);
   return std::visit(Carrier(state, input, progress), command);
-}
-
-AcquisitionState planned(AcquisitionState state, const ScannerImages& images, const Progress& progress) {
-  const bool needed = state.settings.strategy.kind == Strategy::Kind::PositionalSpace;
-  if (!needed || state.views.empty() || currentPlan(state)) return state;
-  state.records.back().plan = std::make_shared<const Plan>(planAfter(state, images, stepOptionsFor(state), progress));
-  return state;
 }
 
 }  // namespace vantage

@@ -26,9 +26,9 @@ struct ImportScans {
   std::vector<std::int64_t> scans;
 };
 
-/// The operator wants another position than the proposed one next; -1 goes back to the proposal.
+/// The operator wants another position than the proposed one next; nothing goes back to the proposal.
 struct ChoosePosition {
-  int position = -1;
+  std::optional<int> position;
 };
 
 /// A view stays out of the model until it is taken back.
@@ -41,15 +41,31 @@ struct TakeBackView {
 
 /// The acquisition is ended, or, with Running, opened again.
 struct Finish {
-  Termination termination = Termination::Finished;
+  Termination termination = Termination::EndedByOperator;
+};
+
+/// The object was turned over: from now on scans are of a new stand.
+struct TurnObject {
+  std::optional<Pose> T_object_table;  ///< how it stands now; nothing while nobody knows
+};
+
+/// It became known how the object stands in a stand: scans of it that were waiting become views.
+struct PlaceStand {
+  int stand = 0;
+  Pose T_object_table = Pose::Identity();
+};
+
+/// From now on the next step is taken by the program, or by a person.
+struct ChangeMode {
+  Mode mode = Mode::Automatic;
 };
 
 /// Views are taken over from a session file of an earlier version, which did not record how they came about.
 struct TakeOver {};
 
 /// Everything that an operator or an automatic run does to a session. Undo and redo move between the results.
-using Command =
-    std::variant<ChangeSettings, AddScan, ImportScans, ChoosePosition, LeaveOutView, TakeBackView, Finish, TakeOver>;
+using Command = std::variant<ChangeSettings, AddScan, ImportScans, ChoosePosition, LeaveOutView, TakeBackView, Finish,
+                             TakeOver, TurnObject, PlaceStand, ChangeMode>;
 
 /// "change_settings", "add_scan", ...: how the session file names a command's kind.
 [[nodiscard]] std::string_view kindOf(const Command& command);

@@ -1,10 +1,27 @@
 #include "acquisition/history.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "base/errors.h"
 
 namespace vantage {
+
+StateOutline outlineOf(const AcquisitionState& state) {
+  StateOutline outline{state.settings, state.mode, state.stands, {}, state.chosenPosition, state.termination, 0, 0};
+  for (const KeptScan& scan : state.scans) {
+    auto record = std::make_shared<ScanRecord>(scan.record);
+    record->planAfter = nullptr;
+    outline.scans.push_back(
+        {scan.number, scan.status, scan.station(), scan.view.T_object_scanner, std::move(record), 0, 0});
+  }
+  return outline;
+}
+
+std::size_t countScans(const StateOutline& outline, ScanStatus status) {
+  return static_cast<std::size_t>(std::count_if(outline.scans.begin(), outline.scans.end(),
+                                                [&](const OutlinedScan& scan) { return scan.status == status; }));
+}
 
 History::History(Loader loader) : loader_(std::move(loader)) {}
 

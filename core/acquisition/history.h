@@ -10,25 +10,32 @@
 
 namespace vantage {
 
-/// A view, a rejected scan or one left out, without its large parts.
-struct OutlinedView {
-  std::int64_t scan = -1;
+/// A scan of a state, without its large parts.
+struct OutlinedScan {
+  std::int64_t scan = 0;  ///< its number
+  ScanStatus status = ScanStatus::In;
+  Station station;
   Pose T_object_scanner = Pose::Identity();
-  std::shared_ptr<const ViewRecord> record;  ///< without its plan
+  std::shared_ptr<const ScanRecord> record;  ///< without its plan
   std::int64_t recordStep = 0;               ///< the step that made the record
-  std::int64_t planStep = 0;                 ///< the step that made its plan; 0 without one
+  std::int64_t planStep = 0;                 ///< the step that made the plan after it; 0 without one
 };
 
-/// A state without its large parts: what a time line, a list of views or a report of counts needs.
+/// A state without its large parts: what a time line, a list of scans or a report of counts needs.
 struct StateOutline {
   AcquisitionSettings settings;
-  std::vector<OutlinedView> views;
-  std::vector<OutlinedView> rejected;
-  std::vector<OutlinedView> leftOut;
-  int chosenPosition = -1;
+  Mode mode = Mode::Automatic;
+  std::vector<Stand> stands;
+  std::vector<OutlinedScan> scans;
+  std::optional<int> chosenPosition;
   Termination termination = Termination::Running;
   std::int64_t modelStep = 0;  ///< the step that made the model; 0 without one
+  std::int64_t planStep = 0;   ///< the step that made the plan that holds; 0 without one
 };
+
+/// A state without its large parts and without the steps that made them.
+[[nodiscard]] StateOutline outlineOf(const AcquisitionState& state);
+[[nodiscard]] std::size_t countScans(const StateOutline& outline, ScanStatus status);
 
 /// One command that was carried out, and what it led to.
 struct HistoryEntry {

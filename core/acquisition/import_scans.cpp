@@ -7,50 +7,35 @@
 namespace vantage {
 namespace {
 
-std::vector<View> makeViews(const std::vector<NumberedScan>& scans, const TriangulationOptions& options,
-                            const Progress& progress) {
-  std::vector<View> views;
+std::vector<KeptScan> keptScans(const std::vector<NumberedScan>& scans, const TriangulationOptions& options,
+                                const Progress& progress) {
+  std::vector<KeptScan> kept;
   for (const NumberedScan& scan : scans) {
-    progress.checkpoint(static_cast<double>(views.size()) / static_cast<double>(scans.size()));
-    View view;
-    view.T_object_scanner = scan.image->T_object_scanner;
-    view.image = scan.image;
-    view.mesh = std::make_shared<const ViewMesh>(triangulate(*view.image, options));
-    views.push_back(std::move(view));
+    progress.checkpoint(static_cast<double>(kept.size()) / static_cast<double>(scans.size()));
+    kept.push_back(keepAsView(scan, options));
   }
+  return kept;
+}
+
+std::vector<View> viewsOf(const std::vector<KeptScan>& scans) {
+  std::vector<View> views;
+  views.reserve(scans.size());
+  for (const KeptScan& scan : scans) views.push_back(scan.view);
   return views;
 }
 
-ViewRecord recordOf(std::int64_t scan, const View& view, const ViewAlignment& alignment) {
-  ViewRecord record;
-  record.scan = scan;
-  record.position = view.image->position;
-  record.samples = view.image->sampleCount();
-  record.triangles = view.mesh->mesh.triangles.size();
-  record.registration.T_object_scanner = view.T_object_scanner;
-  record.registration.verdict = alignment.verdict;
-  record.registration.finding = alignment.finding;
-  record.registration.rms = alignment.rms;
-  record.registration.inlierShare = alignment.inlierShare;
-  return record;
-}
-
-// Views that found their place; the others are kept as rejected.
-AcquisitionState placedViews(const std::vector<NumberedScan>& scans, std::vector<View> views,
-                             const AlignmentResult& alignment) {
-  AcquisitionState state;
-  for (std::size_t i = 0; i < views.size(); ++i) {
-    const bool failed = alignment.views[i].verdict == Verdict::Failed || views[i].mesh->mesh.empty();
-    views[i].T_object_scanner = alignment.poses[i];
-    ViewRecord record = recordOf(scans[i].number, views[i], alignment.views[i]);
-    if (failed) {
-      state.rejected.push_back({scans[i].number, views[i].image, record.registration});
-    } else {
-      state.views.push_back(views[i]);
-      state.records.push_back(std::move(record));
-    }
-  }
-  return state;
+// What the alignment found of one scan.
+void enter(KeptScan& scan, const Pose& T_object_scanner, const ViewAlignment& alignment) {
+  const bool failed = alignment.verdict == Verdict::Failed || scan.view.mesh->mesh.empty();
+  scan.status = failed ? ScanStatus::Rejected : ScanStatus::In;
+  scan.view.T_object_scanner = T_object_scanner;
+  if (failed) scan.view.mesh = nullptr;
+  RegistrationResult& registration = scan.record.registration;
+  registration.T_object_scanner = T_object_scanner;
+  registration.verdict = alignment.verdict;
+  registration.finding = alignment.finding;
+  registration.rms = alignment.rms;
+  registration.inlierShare = alignment.inlierShare;
 }
 
 }  // namespace
@@ -66,28 +51,24 @@ ImportOptions importOptionsFor(const AcquisitionState& state) {
   return options;
 }
 
-ImportResult importScans(const std::vector<NumberedScan>& scans, const ImportOptions& options,
-                         const Progress& progress) {
+AcquisitionState importScans(const AcquisitionState& state, const std::vector<NumberedScan>& scans,
+                             const ImportOptions& options, const Progress& progress) {
   if (scans.empty()) throw InvalidInput("nothing to import: expected at least one range image");
   const Progress registering = progress.part(0.0, 0.6, name(Phase::Register));
-  std::vector<View> views = makeViews(scans, options.triangulation, registering.part(0.0, 0.1));
-  if (views.front().mesh->mesh.empty())
+  AcquisitionState next = state;
+  next.scans = keptScans(scans, options.triangulation, registering.part(0.0, 0.1));
+  if (next.scans.front().view.mesh->mesh.empty())
     throw InvalidInput("the first range image has no surface to register the others with");
+  const AlignmentResult alignment = registerViews(viewsOf(next.scans), options.alignment, registering.part(0.1, 1.0));
+  for (std::size_t i = 0; i < next.scans.size(); ++i) enter(next.scans[i], alignment.poses[i], alignment.views[i]);
 
-  ImportResult result;
-  const AlignmentResult alignment = registerViews(views, options.alignment, registering.part(0.1, 1.0));
-  result.alignment = alignment.views;
-  result.state = placedViews(scans, std::move(views), alignment);
-
-  const Progress integrating = progress.part(0.6, 0.9, name(Phase::Integrate));
-  Integration integration = zipper(result.state.views, options.zipper, integrating.part(0.0, 0.8));
-  result.zippering = integration.statistics;
-  result.state.model = std::make_shared<const Model>(
-      applyConsensus(integration.model, result.state.views, options.consensus, integrating.part(0.8, 1.0)));
-  result.voids = buildVoidPatches(*result.state.model, result.state.views, options.voidSpace,
-                                  progress.part(0.9, 1.0, name(Phase::VoidPatches)));
-  result.state.termination = Termination::Finished;
-  return result;
+  const Progress integrating = progress.part(0.6, 1.0, name(Phase::Integrate));
+  const std::vector<View> views = vantage::viewsOf(next);
+  const Integration integration = zipper(views, options.zipper, integrating.part(0.0, 0.8));
+  next.model = std::make_shared<const Model>(
+      applyConsensus(integration.model, views, options.consensus, integrating.part(0.8, 1.0)));
+  next.termination = Termination::Imported;
+  return next;
 }
 
 }  // namespace vantage

@@ -21,21 +21,14 @@ struct ImportOptions {
   VoidOptions voidSpace{.breakdownAngle = radians(75.0)};
 };
 
-/// What became of recorded scans.
-struct ImportResult {
-  AcquisitionState state;                ///< views that found their place, in the order given, and their model
-  std::vector<ViewAlignment> alignment;  ///< one per scan given
-  ZipperStatistics zippering;
-  VoidSurface voids;  ///< what is still void
-};
-
 /// Options that fit a scanner, or recorded scans without one.
 [[nodiscard]] ImportOptions importOptionsFor(const AcquisitionState& state);
 
-/// Registers recorded scans from their nominal poses, the first of which stays, and zippers those that found their
-/// place. Steps reported: register, integrate, void_patches.
+/// The state with recorded scans in it: registered from the poses that they came with, the first of which stays, and
+/// zippered; those that did not find their place are rejected. It has ended, as nothing is planned from recorded scans.
+/// Steps reported: register, integrate.
 /// @throws InvalidInput when there is no scan or the first has no surface; Cancelled
-[[nodiscard]] ImportResult importScans(const std::vector<NumberedScan>& scans, const ImportOptions& options,
-                                       const Progress& progress);
+[[nodiscard]] AcquisitionState importScans(const AcquisitionState& state, const std::vector<NumberedScan>& scans,
+                                           const ImportOptions& options, const Progress& progress);
 
 }  // namespace vantage

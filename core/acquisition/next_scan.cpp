@@ -10,7 +10,7 @@
 namespace vantage {
 namespace {
 
-constexpr std::ptrdiff_t kMostFailures = 4;
+constexpr std::size_t kMostFailures = 4;
 // A position is tried after a failed one only when it overlaps by so much more.
 constexpr double kMoreOverlap = 1.5;
 constexpr std::uint64_t kStrategyStream = 0x73747261ULL << 24;
@@ -26,66 +26,98 @@ std::vector<int> randomOrder(std::size_t count, int first, std::uint64_t seed) {
 }
 
 NextScan fromPlan(const Plan& plan, const AcquisitionState& state) {
-  if (plan.outcome == PlanOutcome::Finished) return {-1, {}, Termination::Finished};
-  if (plan.outcome == PlanOutcome::NoOverlap) return {-1, {}, Termination::NoOverlap};
-  if (static_cast<int>(state.views.size()) >= state.settings.maxViews) return {-1, {}, Termination::MaxViews};
-  return {plan.position, plan.scores[static_cast<std::size_t>(plan.position)], Termination::Running};
+  if (plan.outcome == PlanOutcome::Finished) return Ended{Termination::Finished};
+  if (plan.outcome == PlanOutcome::NoOverlap) return Ended{Termination::NoOverlap};
+  if (static_cast<int>(countScans(state, ScanStatus::In)) >= state.settings.maxViews)
+    return Ended{Termination::MaxViews};
+  return ScanFrom{plan.position, plan.scores[static_cast<std::size_t>(plan.position)]};
+}
+
+// How often the object was scanned in its stand of now.
+std::size_t takenInStand(const AcquisitionState& state) {
+  return static_cast<std::size_t>(std::count_if(state.scans.begin(), state.scans.end(), [&](const KeptScan& scan) {
+    return scan.status != ScanStatus::LeftOut && scan.station().stand == state.stand();
+  }));
 }
 
 NextScan fromBaseline(const AcquisitionState& state) {
   const AcquisitionSettings& settings = state.settings;
   const std::size_t positions = state.profile->workspace.size();
-  const auto taken = state.views.size() + state.rejected.size();
+  const std::size_t taken = takenInStand(state);
   const auto limit = static_cast<std::size_t>(settings.maxViews);
   if (settings.strategy.kind == Strategy::Kind::Uniform) {
     const auto count = static_cast<std::size_t>(settings.strategy.uniformViews);
-    if (taken >= std::min(count, positions)) return {-1, {}, Termination::Finished};
-    if (taken >= limit) return {-1, {}, Termination::MaxViews};
+    if (taken >= std::min(count, positions)) return Ended{Termination::Finished};
+    if (taken >= limit) return Ended{Termination::MaxViews};
     const std::size_t offset = taken * positions / count;
-    return {static_cast<int>((static_cast<std::size_t>(settings.firstView) + offset) % positions), {}, {}};
+    return ScanFrom{static_cast<int>((static_cast<std::size_t>(settings.firstView) + offset) % positions)};
   }
-  if (taken >= std::min(limit, positions)) return {-1, {}, Termination::MaxViews};
-  return {randomOrder(positions, settings.firstView, settings.seed)[taken], {}, {}};
+  if (taken >= std::min(limit, positions)) return Ended{Termination::MaxViews};
+  return ScanFrom{randomOrder(positions, settings.firstView, settings.seed)[taken]};
 }
 
-// Scans from positions that failed since the last one that found its place.
-std::ptrdiff_t failuresInARow(const AcquisitionState& state) {
-  std::int64_t last = -1;
-  for (const ViewRecord& record : state.records) last = std::max(last, record.scan);
-  return std::count_if(state.rejected.begin(), state.rejected.end(),
-                       [&](const RejectedScan& r) { return r.scan > last && r.image->position >= 0; });
+// The scans of this stand that failed since the last one that found its place.
+std::vector<const KeptScan*> failuresInARow(const AcquisitionState& state) {
+  std::vector<const KeptScan*> failures;
+  for (const KeptScan& scan : state.scans) {
+    if (scan.station().stand != state.stand() || !scan.station().position) continue;
+    if (scan.status == ScanStatus::In) failures.clear();
+    if (scan.status == ScanStatus::Rejected) failures.push_back(&scan);
+  }
+  return failures;
 }
 
 // The best position by the last plan that has clearly more overlap. A baseline goes on as it would have.
-NextScan afterFailure(const AcquisitionState& state, std::ptrdiff_t failures) {
-  if (failures >= kMostFailures || state.views.empty()) return {-1, {}, Termination::RegistrationFailed};
-  const auto plan = currentPlan(state);
-  if (!plan) return fromBaseline(state);
-  const auto failed = static_cast<std::size_t>(state.rejected.back().image->position);
-  const double enough = kMoreOverlap * plan->scores[failed].overlapArea;
+NextScan afterFailures(const AcquisitionState& state, const std::vector<const KeptScan*>& failures) {
+  if (failures.size() >= kMostFailures || !state.model) return Ended{Termination::RegistrationFailed};
+  if (!state.plan) return fromBaseline(state);
+  const auto failed = static_cast<std::size_t>(*failures.back()->station().position);
+  const double enough = kMoreOverlap * state.plan->scores[failed].overlapArea;
   const PositionScore* best = nullptr;
-  for (const PositionScore& score : plan->scores) {
+  for (const PositionScore& score : state.plan->scores) {
     const bool allowed = score.constraint == Constraint::Outscored && score.overlapArea > enough;
     if (allowed && (best == nullptr || promise(score) > promise(*best))) best = &score;
   }
-  if (best == nullptr) return {-1, {}, Termination::RegistrationFailed};
-  return {best->position, *best, Termination::Running};
+  if (best == nullptr) return Ended{Termination::RegistrationFailed};
+  return ScanFrom{best->position, *best};
+}
+
+bool scannedInStand(const AcquisitionState& state) {
+  return std::any_of(state.scans.begin(), state.scans.end(), [&](const KeptScan& scan) {
+    return scan.status != ScanStatus::LeftOut && scan.station().stand == state.stand();
+  });
 }
 
 }  // namespace
 
 NextScan nextScan(const AcquisitionState& state) {
-  const auto plan = currentPlan(state);
-  if (state.chosenPosition >= 0) {
-    NextScan chosen{state.chosenPosition, {}, Termination::Running};
-    if (plan) chosen.predicted = plan->scores[static_cast<std::size_t>(state.chosenPosition)];
+  if (!state.profile)
+    return Ended{state.termination == Termination::Running ? Termination::Finished : state.termination};
+  if (state.chosenPosition) {
+    ScanFrom chosen{*state.chosenPosition};
+    if (state.plan) chosen.predicted = state.plan->scores[static_cast<std::size_t>(*state.chosenPosition)];
     return chosen;
   }
-  if (state.views.empty() && state.rejected.empty()) return {state.settings.firstView, {}, Termination::Running};
-  if (const std::ptrdiff_t failures = failuresInARow(state); failures > 0) return afterFailure(state, failures);
-  if (plan) return fromPlan(*plan, state);
-  if (state.settings.strategy.kind == Strategy::Kind::PositionalSpace) return {};
+  if (state.termination == Termination::EndedByOperator || state.termination == Termination::Imported)
+    return Ended{state.termination};
+  const bool placed = state.stands.back().T_object_table.has_value();
+  if (!scannedInStand(state) && (!placed || state.stand() == 0)) return ScanFrom{state.settings.firstView};
+  if (!placed) return PlaceFirst{};
+  if (const auto failures = failuresInARow(state); !failures.empty()) return afterFailures(state, failures);
+  if (state.plan) return fromPlan(*state.plan, state);
+  if (state.settings.strategy.kind == Strategy::Kind::PositionalSpace) return PlanFirst{};
   return fromBaseline(state);
+}
+
+std::optional<int> nextPosition(const AcquisitionState& state) {
+  const NextScan next = nextScan(state);
+  const auto* scan = std::get_if<ScanFrom>(&next);
+  return scan != nullptr ? std::optional(scan->position) : std::nullopt;
+}
+
+Termination terminationOf(const NextScan& next) {
+  const auto* ended = std::get_if<Ended>(&next);
+  return ended != nullptr ? ended->termination : Termination::Running;
 }
 
 }  // namespace vantage

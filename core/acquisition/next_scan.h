@@ -1,21 +1,42 @@
 #pragma once
 
 #include <optional>
+#include <variant>
 
 #include "acquisition/acquisition_state.h"
 
 namespace vantage {
 
-/// Where an acquisition goes on, or why it ends.
-struct NextScan {
-  int position = -1;                       ///< -1 when it ends, or when a plan must be made first
-  std::optional<PositionScore> predicted;  ///< what the plan promises of the position
-  Termination termination = Termination::Running;
+/// The next scan is taken from a position, as the object stands now.
+struct ScanFrom {
+  int position = 0;
+  std::optional<PositionScore> predicted = {};  ///< what the plan promises of the position
 };
 
-/// What comes after a state: the position that the operator chose, else the plan's, else the strategy's. After a
-/// registration that failed, the best position with clearly more overlap; after four failures in a row the acquisition
-/// ends. Depends on the state only, so that an interrupted run goes on as it would have.
+/// A plan must be made before it is known.
+struct PlanFirst {};
+
+/// It must be said first how the object stands (see PlaceStand).
+struct PlaceFirst {};
+
+/// Nothing is scanned any more.
+struct Ended {
+  Termination termination = Termination::Finished;
+};
+
+/// What comes next.
+using NextScan = std::variant<ScanFrom, PlanFirst, PlaceFirst, Ended>;
+
+/// What comes after a state: the position that the operator chose, else the end that he wanted, else the plan's
+/// position, else the strategy's. After a registration that failed, the best position with clearly more overlap; after
+/// four failures in a row the acquisition ends. Stands do not count for each other: neither positions taken nor
+/// failures. Depends on the state only, so that an interrupted run goes on as it would have.
 [[nodiscard]] NextScan nextScan(const AcquisitionState& state);
+
+/// The position of the next scan; nothing when there is none, or none yet.
+[[nodiscard]] std::optional<int> nextPosition(const AcquisitionState& state);
+
+/// Running as long as something comes next.
+[[nodiscard]] Termination terminationOf(const NextScan& next);
 
 }  // namespace vantage

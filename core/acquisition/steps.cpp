@@ -30,27 +30,58 @@ std::optional<PosePrior> priorOf(const StepOptions& options, std::int64_t from, 
   return turntablePrior(*options.mechanics, static_cast<int>(std::clamp<std::int64_t>(to - from, 1, kMostMoves)));
 }
 
-RegistrationResult registerWithModel(const AcquisitionState& state, const View& view, std::int64_t scan,
-                                     const StepOptions& options, const Progress& progress) {
-  if (state.views.empty()) return firstRegistration(view.T_object_scanner);
+RegistrationResult registerWithModel(const AcquisitionState& state, const KeptScan& scan, const StepOptions& options,
+                                     const Progress& progress) {
+  const View& view = scan.view;
+  if (!state.model) return firstRegistration(view.T_object_scanner);
   const RegistrationTarget target(state.model->mesh, state.model->confidence);
   IcpOptions registration = options.registration;
-  registration.prior = priorOf(options, state.records.back().scan, scan);
+  if (const KeptScan* last = lastView(state, scan.station().stand))
+    registration.prior = priorOf(options, last->number, scan.number);
   return registerView(*view.mesh, *view.image->rays, view.T_object_scanner, target, registration, progress);
 }
 
-// Moves the views, of scans with these numbers, to where all of them and the mechanics agree best.
-void refine(std::vector<View>& views, std::span<const std::int64_t> scans, const StepOptions& options,
-            const Progress& progress) {
+// What the mechanics know of the motions between views that follow each other in one stand. Between stands the object
+// was moved by hand.
+std::vector<PoseTie> tiesOf(const std::vector<const KeptScan*>& scans, const StepOptions& options) {
+  std::vector<PoseTie> ties;
+  for (std::size_t i = 1; i < scans.size(); ++i) {
+    if (scans[i - 1]->station().stand != scans[i]->station().stand) continue;
+    const Pose T_from_to = scans[i - 1]->view.image->T_table_scanner.inverse() * scans[i]->view.image->T_table_scanner;
+    if (const auto prior = priorOf(options, scans[i - 1]->number, scans[i]->number))
+      ties.push_back({i - 1, i, T_from_to, *prior});
+  }
+  return ties;
+}
+
+// Moves the views to where all of them and the mechanics agree best.
+void refine(AcquisitionState& state, const StepOptions& options, const Progress& progress) {
+  const std::vector<View> views = viewsOf(state);
   if (views.size() < 2) return;
   MultiViewOptions refinement = options.refinement;
-  for (std::size_t i = 1; i < views.size(); ++i) {
-    const Pose T_from_to = views[i - 1].image->T_object_scanner.inverse() * views[i].image->T_object_scanner;
-    if (const auto prior = priorOf(options, scans[i - 1], scans[i]))
-      refinement.ties.push_back({i - 1, i, T_from_to, *prior});
-  }
+  refinement.ties = tiesOf(scansOf(state, ScanStatus::In), options);
   const MultiViewResult refined = refineViews(views, refinement, progress);
-  for (std::size_t i = 0; i < views.size(); ++i) views[i].T_object_scanner = refined.poses[i];
+  std::size_t i = 0;
+  for (KeptScan& scan : state.scans)
+    if (scan.status == ScanStatus::In) scan.view.T_object_scanner = refined.poses[i++];
+}
+
+void checkStation(const AcquisitionState& state, const KeptScan& scan) {
+  const int stand = scan.station().stand;
+  if (stand < 0 || stand > state.stand())
+    throw InvalidInput("scan " + std::to_string(scan.number) + " is of stand " + std::to_string(stand) +
+                       ", the object has stood in stands 0 to " + std::to_string(state.stand()));
+}
+
+// Registers a scan and moves all views to where they agree best. @return whether it found its place
+bool findPlace(AcquisitionState& state, KeptScan& scan, const StepOptions& options, const Progress& progress) {
+  scan.view.T_object_scanner = expectedPose(state, *scan.view.image);
+  scan.record.registration = registerWithModel(state, scan, options, progress.part(0.0, 0.7));
+  const bool found = scan.record.registration.verdict != Verdict::Failed;
+  scan.status = found ? ScanStatus::In : ScanStatus::Rejected;
+  if (found) scan.view.T_object_scanner = scan.record.registration.T_object_scanner;
+  if (!found) scan.view.mesh = nullptr;
+  return found;
 }
 
 }  // namespace
@@ -75,54 +106,46 @@ StepOptions stepOptionsFor(const AcquisitionState& state) {
 }
 
 Pose expectedPose(const AcquisitionState& state, const RangeImage& image) {
-  if (state.views.empty()) return image.T_object_scanner;
-  const View& last = state.views.back();
-  return last.T_object_scanner * last.image->T_object_scanner.inverse() * image.T_object_scanner;
+  const KeptScan* last = lastView(state, image.station.stand);
+  if (last == nullptr)
+    return *state.stands[static_cast<std::size_t>(image.station.stand)].T_object_table * image.T_table_scanner;
+  return last->view.T_object_scanner * last->view.image->T_table_scanner.inverse() * image.T_table_scanner;
 }
 
 AcquisitionState addScan(const AcquisitionState& state, const NumberedScan& scan,
                          std::optional<PositionScore> predicted, const StepOptions& options, const Progress& progress) {
   const Progress registering = progress.part(0.0, 0.5, name(Phase::Register));
   registering.checkpoint(0.0);
-  View view;
-  view.image = scan.image;
-  view.mesh = std::make_shared<const ViewMesh>(triangulate(*view.image, options.triangulation));
-  view.T_object_scanner = expectedPose(state, *view.image);
-
+  KeptScan added = keepAsView(scan, options.triangulation);
+  checkStation(state, added);
   AcquisitionState next = state;
-  if (view.mesh->mesh.empty() && state.views.empty())
-    throw InvalidInput("the first scan, from position " + std::to_string(view.image->position) +
-                       ", has no surface: is the object inside the viewing volume?");
-  RegistrationResult registration = registerWithModel(state, view, scan.number, options, registering.part(0.0, 0.7));
-  if (registration.verdict == Verdict::Failed) {
-    next.rejected.push_back({scan.number, view.image, std::move(registration)});
+  if (!state.stands[static_cast<std::size_t>(added.station().stand)].T_object_table) {
+    added.status = ScanStatus::Waiting;
+    added.view.mesh = nullptr;
+    next.scans.push_back(std::move(added));
     return next;
   }
-  view.T_object_scanner = registration.T_object_scanner;
-  next.views.push_back(view);
-  std::vector<std::int64_t> scans;
-  scans.reserve(next.records.size() + 1);
-  for (const ViewRecord& earlier : next.records) scans.push_back(earlier.scan);
-  scans.push_back(scan.number);
-  refine(next.views, scans, options, registering.part(0.7, 1.0));
+  if (added.view.mesh->mesh.empty() && !state.model)
+    throw InvalidInput("the first scan, " +
+                       (added.station().position ? "from position " + std::to_string(*added.station().position)
+                                                 : "number " + std::to_string(added.number)) +
+                       ", has no surface: is the object inside the viewing volume?");
+  const bool found = findPlace(next, added, options, registering.part(0.0, 0.7));
+  added.record.predicted = std::move(predicted);
+  next.scans.push_back(std::move(added));
+  if (!found) return next;
+  refine(next, options, registering.part(0.7, 1.0));
 
   const Progress integrating = progress.part(0.5, 1.0, name(Phase::Integrate));
-  const Model before = state.model ? reposed(*state.model, next.views) : Model{};
-  const auto added = static_cast<std::uint32_t>(next.views.size() - 1);
-  const Integration integration = integrateView(before, next.views, added, options.zipper, integrating.part(0.0, 0.6));
+  const std::vector<View> views = viewsOf(next);
+  const Model before = state.model ? reposed(*state.model, views) : Model{};
+  const Integration integration = integrateView(before, views, static_cast<std::uint32_t>(views.size() - 1),
+                                                options.zipper, integrating.part(0.0, 0.6));
   next.model = std::make_shared<const Model>(
-      applyConsensus(integration.model, next.views, options.consensus, integrating.part(0.6, 1.0)));
-
-  ViewRecord record;
-  record.scan = scan.number;
-  record.position = view.image->position;
-  record.samples = view.image->sampleCount();
-  record.triangles = view.mesh->mesh.triangles.size();
-  record.predicted = std::move(predicted);
-  record.registration = std::move(registration);
+      applyConsensus(integration.model, views, options.consensus, integrating.part(0.6, 1.0)));
+  ScanRecord& record = next.scans.back().record;
   record.newArea = std::max(0.0, area(integration.model.mesh) - area(before.mesh));
-  record.overlapArea = std::max(0.0, area(view.mesh->mesh) - record.newArea);
-  next.records.push_back(std::move(record));
+  record.overlapArea = std::max(0.0, area(views.back().mesh->mesh) - record.newArea);
   return next;
 }
 
@@ -133,45 +156,58 @@ std::shared_ptr<const Model> integrateViews(const std::vector<View>& views, cons
       applyConsensus(integration.model, views, options.consensus, progress.part(0.7, 1.0, name(Phase::Integrate))));
 }
 
-AcquisitionState leaveOutView(const AcquisitionState& state, std::int64_t scan, const StepOptions& options,
-                              const Progress& progress) {
+AcquisitionState withStatus(const AcquisitionState& state, std::int64_t scan, ScanStatus status,
+                            const StepOptions& options, const Progress& progress) {
   AcquisitionState next = state;
-  const auto record =
-      std::find_if(next.records.begin(), next.records.end(), [&](const auto& r) { return r.scan == scan; });
-  if (record == next.records.end())
-    throw InvalidInput("scan " + std::to_string(scan) + " cannot be left out: it is not a view of the model");
-  if (next.views.size() == 1)
-    throw InvalidInput("scan " + std::to_string(scan) + " cannot be left out: it is the only view of the model");
-  const auto view = next.views.begin() + (record - next.records.begin());
-  next.leftOut.push_back({*view, *record});
-  std::sort(next.leftOut.begin(), next.leftOut.end(),
-            [](const LeftOutView& a, const LeftOutView& b) { return a.record.scan < b.record.scan; });
-  next.views.erase(view);
-  next.records.erase(record);
-  next.model = integrateViews(next.views, options, progress);
+  for (KeptScan& kept : next.scans)
+    if (kept.number == scan) kept.status = status;
+  next.model = integrateViews(viewsOf(next), options, progress);
   return next;
 }
 
-AcquisitionState takeBackView(const AcquisitionState& state, std::int64_t scan, const StepOptions& options,
-                              const Progress& progress) {
+AcquisitionState placeStand(const AcquisitionState& state, int stand, const Pose& T_object_table,
+                            const StepOptions& options, const Progress& progress) {
   AcquisitionState next = state;
-  const auto out = std::find_if(next.leftOut.begin(), next.leftOut.end(),
-                                [&](const LeftOutView& v) { return v.record.scan == scan; });
-  if (out == next.leftOut.end())
-    throw InvalidInput("scan " + std::to_string(scan) + " cannot be taken back: it was not left out");
-  const auto after =
-      std::find_if(next.records.begin(), next.records.end(), [&](const auto& r) { return r.scan > scan; });
-  next.views.insert(next.views.begin() + (after - next.records.begin()), out->view);
-  next.records.insert(after, out->record);
-  next.leftOut.erase(out);
-  next.model = integrateViews(next.views, options, progress);
+  next.stands[static_cast<std::size_t>(stand)].T_object_table = T_object_table;
+  const auto waits = [&](const KeptScan& scan) {
+    return scan.status == ScanStatus::Waiting && scan.station().stand == stand;
+  };
+  const auto count = static_cast<double>(std::count_if(next.scans.begin(), next.scans.end(), waits));
+  double done = 0.0;
+  for (KeptScan& scan : next.scans) {
+    if (!waits(scan)) continue;
+    const Progress part = progress.part(done / count, (done + 1.0) / count);
+    done += 1.0;
+    scan.view.mesh = std::make_shared<const ViewMesh>(triangulate(*scan.view.image, options.triangulation));
+    KeptScan placed = scan;
+    const bool found = findPlace(next, placed, options, part.part(0.0, 0.3, name(Phase::Register)));
+    const double before = next.model ? area(next.model->mesh) : 0.0;
+    scan = std::move(placed);
+    if (!found) continue;
+    refine(next, options, part.part(0.3, 0.5, name(Phase::Register)));
+    next.model = integrateViews(viewsOf(next), options, part.part(0.5, 1.0));
+    scan.record.newArea = std::max(0.0, area(next.model->mesh) - before);
+    scan.record.overlapArea = std::max(0.0, area(scan.view.mesh->mesh) - scan.record.newArea);
+  }
   return next;
+}
+
+std::vector<int> takenPositions(const AcquisitionState& state) {
+  std::vector<int> taken;
+  for (const KeptScan* scan : scansOf(state, ScanStatus::In))
+    if (scan->station().stand == state.stand() && scan->station().position) taken.push_back(*scan->station().position);
+  return taken;
 }
 
 Plan planAfter(const AcquisitionState& state, const ScannerImages& images, const StepOptions& options,
                const Progress& progress) {
-  const int current = state.views.empty() ? -1 : state.views.back().image->position;
-  return planNextView({*state.profile, images, *state.model, state.views, current}, options.planner, progress);
+  if (!state.stands.back().T_object_table)
+    throw InvalidInput("it is not known how the object stands, so no view can be planned");
+  const std::vector<View> views = viewsOf(state);
+  const KeptScan* last = lastView(state, state.stand());
+  const int current = last == nullptr ? -1 : last->station().position.value_or(-1);
+  const std::vector<int> taken = takenPositions(state);
+  return planNextView({*state.profile, images, *state.model, views, current, taken}, options.planner, progress);
 }
 
 }  // namespace vantage

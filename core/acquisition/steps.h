@@ -32,39 +32,38 @@ struct StepOptions {
 [[nodiscard]] StepOptions stepOptionsFor(const ScannerProfile& profile, const AcquisitionSettings& settings);
 [[nodiscard]] StepOptions stepOptionsFor(const AcquisitionState& state);
 
-/// A scan with its number in the session.
-struct NumberedScan {
-  std::int64_t number = -1;
-  std::shared_ptr<const RangeImage> image;
-};
-
 /// Adds one scan: triangulates it, registers it with the model, spreads the loop-closing error over all views and
 /// zippers it in. The first scan keeps its nominal pose for ever. When registration fails the scan is kept as rejected
-/// and the model stays as it is. Steps reported: register, integrate.
+/// and the model stays as it is; a scan of a stand whose pose is not known waits. Steps reported: register, integrate.
 /// @param predicted what the plan that chose the position promised.
-/// @throws InvalidInput when the scan has no surface at all; Cancelled
+/// @throws InvalidInput when the scan is of no stand of the state or, being the first, has no surface at all; Cancelled
 [[nodiscard]] AcquisitionState addScan(const AcquisitionState& state, const NumberedScan& scan,
                                        std::optional<PositionScore> predicted, const StepOptions& options,
                                        const Progress& progress);
 
-/// The state without a view, which keeps its place among those left out. The model is made anew of the others.
-/// @throws InvalidInput when there is no view of that scan, or no other; Cancelled
-[[nodiscard]] AcquisitionState leaveOutView(const AcquisitionState& state, std::int64_t scan,
-                                            const StepOptions& options, const Progress& progress);
+/// The state with another status of one scan, which keeps its place in the list. The model is made anew of the scans
+/// that are in. @pre the scan has a mesh. @throws Cancelled
+[[nodiscard]] AcquisitionState withStatus(const AcquisitionState& state, std::int64_t scan, ScanStatus status,
+                                          const StepOptions& options, const Progress& progress);
 
-/// The opposite: views stand in the order of their scans, and the model is made anew.
-/// @throws InvalidInput when no view of that scan was left out; Cancelled
-[[nodiscard]] AcquisitionState takeBackView(const AcquisitionState& state, std::int64_t scan,
-                                            const StepOptions& options, const Progress& progress);
+/// The state after it became known how the object stands in a stand: its scans that were waiting are registered in
+/// their order, the model is made anew with each that found its place. @throws Cancelled
+[[nodiscard]] AcquisitionState placeStand(const AcquisitionState& state, int stand, const Pose& T_object_table,
+                                          const StepOptions& options, const Progress& progress);
 
 /// The model of views at their poses, made anew.
 [[nodiscard]] std::shared_ptr<const Model> integrateViews(const std::vector<View>& views, const StepOptions& options,
                                                           const Progress& progress);
 
-/// The nominal pose of a position, carried over from where the last view was found: the errors of past moves stay.
+/// T_object_scanner of a scan as it is expected: its pose on the table, carried over from where the last view of its
+/// stand was found (the errors of past moves stay), else from how the object stands.
+/// @pre the pose of the scan's stand is known
 [[nodiscard]] Pose expectedPose(const AcquisitionState& state, const RangeImage& image);
 
-/// The plan after the last view.
+/// The positions that views of the stand of now were taken from.
+[[nodiscard]] std::vector<int> takenPositions(const AcquisitionState& state);
+
+/// The plan for the stand of now. @pre there is a view, and the pose of the stand is known
 [[nodiscard]] Plan planAfter(const AcquisitionState& state, const ScannerImages& images, const StepOptions& options,
                              const Progress& progress);
 

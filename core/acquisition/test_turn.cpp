@@ -36,10 +36,10 @@ TestTurn testTurn(ScannerDevice& scanner, const ScannerProfile& profile, int fro
   IcpOptions options;
   options.prior = turntablePrior(profile.mechanics);
   result.samples = first.sampleCount();
-  const RegistrationTarget target(transformed(a.mesh, first.T_object_scanner), a.confidence);
-  result.registration = registerView(triangulate(second, triangulation), *second.rays, second.T_object_scanner, target,
+  const RegistrationTarget target(transformed(a.mesh, first.T_table_scanner), a.confidence);
+  result.registration = registerView(triangulate(second, triangulation), *second.rays, second.T_table_scanner, target,
                                      options, registering);
-  const Pose error = result.registration.T_object_scanner * second.T_object_scanner.inverse();
+  const Pose error = result.registration.T_object_scanner * second.T_table_scanner.inverse();
   result.measured = result.expected + turnAboutZ(error);
   result.axisOffset = error.translation().head<2>().norm();
   return result;

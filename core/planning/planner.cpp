@@ -107,8 +107,7 @@ class Planning {
 
   // A second scan from the same place finds what the first one found.
   [[nodiscard]] bool taken(int position) const {
-    return std::any_of(input_.views.begin(), input_.views.end(),
-                       [&](const View& v) { return v.image->position == position; });
+    return std::find(input_.taken.begin(), input_.taken.end(), position) != input_.taken.end();
   }
 
   [[nodiscard]] VoidSurface findVoid(const Progress& progress) const {

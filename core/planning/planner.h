@@ -49,7 +49,8 @@ struct PlanInput {
   const ScannerImages& images;
   const Model& model;
   std::span<const View> views;
-  int current = -1;  ///< position of the last scan, -1 for none
+  int current = -1;                 ///< position of the last scan, -1 for none
+  std::span<const int> taken = {};  ///< positions that were scanned from with the object as it stands now
 };
 
 /// Finds the next best view (Pito 1999, 5.3): void patches on the model's boundary and the model's triangles are

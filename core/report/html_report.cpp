@@ -82,8 +82,9 @@ std::string summaryHtml(const AcquisitionState& state) {
   std::string html = "<p>" + std::string(sentenceOf(state.termination)) + "</p>\n<table>";
   html += row({"Object", escapedHtml(settings.object.empty() ? "recorded scans" : settings.object)});
   html += row({"Scanner", escapedHtml(state.profile ? state.profile->name : "none: recorded scans")});
-  html += row({"Views", std::to_string(state.views.size()) + " integrated, " + std::to_string(state.rejected.size()) +
-                            " not registered"});
+  html += row({"Views", std::to_string(countScans(state, ScanStatus::In)) + " integrated, " +
+                            std::to_string(countScans(state, ScanStatus::Rejected)) + " not registered, " +
+                            std::to_string(countScans(state, ScanStatus::LeftOut)) + " left out"});
   html +=
       row({"Model", model["triangles"].dump() + " triangles, " + figure(model["area_mm2"].get<double>(), 0) + " mm²"});
   html += row({"Boundary", model["boundary_edges"].dump() + " edges"});
@@ -93,13 +94,17 @@ std::string summaryHtml(const AcquisitionState& state) {
 std::string coverageHtml(const AcquisitionState& state) {
   LineChart chart{"Area of the model after each view [mm²]", {}};
   double area = 0.0;
-  for (const ViewRecord& record : state.records) chart.values.push_back(area += record.newArea);
+  for (const KeptScan* scan : scansOf(state, ScanStatus::In)) chart.values.push_back(area += scan->record.newArea);
   return "<h2>Coverage</h2>\n<p class=\"faint\">" + escapedHtml(chart.title) + "</p>\n" + drawChart(chart);
 }
 
-std::string promisedCells(const ViewRecord& record) {
+std::string promisedCells(const ScanRecord& record) {
   if (!record.predicted) return cell("–") + cell("–");
   return cell(figure(promise(*record.predicted), 0)) + cell(figure(record.predicted->overlapArea, 0));
+}
+
+std::string positionText(const KeptScan& scan) {
+  return scan.station().position ? std::to_string(*scan.station().position) : "–";
 }
 
 std::string viewsHtml(const AcquisitionState& state) {
@@ -109,33 +114,42 @@ std::string viewsHtml(const AcquisitionState& state) {
   html += row({"View", "Position", "Samples", "Void promised", "Overlap promised", "New area", "Overlap", "Residual",
                "Verdict"},
               "th");
-  for (std::size_t i = 0; i < state.records.size(); ++i) {
-    const ViewRecord& r = state.records[i];
-    html += "<tr>" + cell(std::to_string(i + 1)) + cell(std::to_string(r.position)) + cell(std::to_string(r.samples)) +
+  std::size_t index = 0;
+  for (const KeptScan* scan : scansOf(state, ScanStatus::In)) {
+    const ScanRecord& r = scan->record;
+    html += "<tr>" + cell(std::to_string(++index)) + cell(positionText(*scan)) + cell(std::to_string(r.samples)) +
             promisedCells(r) + cell(figure(r.newArea, 0)) + cell(figure(r.overlapArea, 0)) +
             cell(figure(r.registration.rms, 3)) + cell(std::string(name(r.registration.verdict))) + "</tr>\n";
   }
-  for (const RejectedScan& scan : state.rejected)
-    html += row({"not integrated", std::to_string(scan.image->position), std::to_string(scan.image->sampleCount()), "",
-                 "", "", "", figure(scan.registration.rms, 3), escapedHtml(describe(scan.registration.finding))});
+  for (const KeptScan* scan : scansOf(state, ScanStatus::Rejected))
+    html += row({"not integrated", positionText(*scan), std::to_string(scan->record.samples), "", "", "", "",
+                 figure(scan->record.registration.rms, 3), escapedHtml(describe(scan->record.registration.finding))});
+  for (const KeptScan* scan : scansOf(state, ScanStatus::LeftOut))
+    html += row({"left out", positionText(*scan), std::to_string(scan->record.samples), "", "", "", "",
+                 figure(scan->record.registration.rms, 3), "by the operator"});
   return html + "</table>\n";
+}
+
+std::string objectiveFigure(const Plan& plan, const std::string& when) {
+  BarChart chart{
+      when + ": void that each position would show [mm²]", {}, plan.terminationThreshold, "F", plan.position};
+  for (const PositionScore& score : plan.scores) chart.values.push_back(promise(score));
+  return "<figure>" + drawChart(chart) + "<figcaption>" + escapedHtml(chart.title) +
+         (plan.position >= 0 ? "; chosen: position " + std::to_string(plan.position) : "; nothing chosen") +
+         "; least overlap t = " + figure(plan.leastOverlap, 0) + " mm²</figcaption></figure>\n";
 }
 
 std::string objectiveHtml(const AcquisitionState& state) {
   std::string html;
-  for (std::size_t i = 0; i < state.records.size(); ++i) {
-    if (!state.records[i].plan || state.records[i].plan->scores.empty()) continue;
-    const Plan& plan = *state.records[i].plan;
-    BarChart chart{"After view " + std::to_string(i + 1) + ": void that each position would show [mm²]",
-                   {},
-                   plan.terminationThreshold,
-                   "F",
-                   plan.position};
-    for (const PositionScore& score : plan.scores) chart.values.push_back(promise(score));
-    html += "<figure>" + drawChart(chart) + "<figcaption>" + escapedHtml(chart.title) +
-            (plan.position >= 0 ? "; chosen: position " + std::to_string(plan.position) : "; nothing chosen") +
-            "; least overlap t = " + figure(plan.leastOverlap, 0) + " mm²</figcaption></figure>\n";
+  std::size_t index = 0;
+  std::shared_ptr<const Plan> last;
+  for (const KeptScan* scan : scansOf(state, ScanStatus::In)) {
+    ++index;
+    last = scan->record.planAfter;
+    if (last && !last->scores.empty()) html += objectiveFigure(*last, "After view " + std::to_string(index));
   }
+  // The plan that holds may be a later one: views were left out, or settings changed.
+  if (state.plan && state.plan != last && !state.plan->scores.empty()) html += objectiveFigure(*state.plan, "Now");
   return html.empty() ? html : "<h2>Objective</h2>\n" + html;
 }
 
@@ -145,11 +159,12 @@ std::string timesHtml(const AcquisitionState& state) {
   for (int phase = 0; phase < kPhases; ++phase) head.emplace_back(titleOf(static_cast<Phase>(phase)));
   html += row(head, "th");
   std::array<double, kPhases> total{};
-  for (std::size_t i = 0; i < state.records.size(); ++i) {
-    std::vector<std::string> cells{std::to_string(i + 1)};
+  std::size_t index = 0;
+  for (const KeptScan* scan : scansOf(state, ScanStatus::In)) {
+    std::vector<std::string> cells{std::to_string(++index)};
     for (int phase = 0; phase < kPhases; ++phase) {
-      const auto it = state.records[i].seconds.find(static_cast<Phase>(phase));
-      const double seconds = it == state.records[i].seconds.end() ? 0.0 : it->second;
+      const auto it = scan->record.seconds.find(static_cast<Phase>(phase));
+      const double seconds = it == scan->record.seconds.end() ? 0.0 : it->second;
       total[static_cast<std::size_t>(phase)] += seconds;
       cells.push_back(figure(seconds, 2));
     }
@@ -161,8 +176,8 @@ std::string timesHtml(const AcquisitionState& state) {
 }
 
 std::string remainingHtml(const AcquisitionState& state) {
-  if (state.records.empty() || !state.records.back().plan) return {};
-  const Plan& plan = *state.records.back().plan;
+  if (!state.plan) return {};
+  const Plan& plan = *state.plan;
   std::string html = "<h2>What is left, and why</h2>\n<table>" + row({"Reason", "Edges", "Length [mm]"}, "th");
   for (const EdgesLeft& left : edgesLeft(plan))
     html +=
@@ -173,9 +188,9 @@ std::string remainingHtml(const AcquisitionState& state) {
 }  // namespace
 
 std::string makeHtmlReport(const AcquisitionState& state, const HtmlReportOptions& options) {
-  if (!options.viewPictures.empty() && options.viewPictures.size() != state.views.size())
+  if (!options.viewPictures.empty() && options.viewPictures.size() != countScans(state, ScanStatus::In))
     throw InvalidInput("the report was given " + std::to_string(options.viewPictures.size()) +
-                       " pictures of views, expected " + std::to_string(state.views.size()));
+                       " pictures of views, expected " + std::to_string(countScans(state, ScanStatus::In)));
   std::string html =
       "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" "
       "content=\"width=device-width\"><title>Vantage report</title>\n";

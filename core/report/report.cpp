@@ -44,25 +44,40 @@ Json objectiveJson(const Plan& plan) {
   return list;
 }
 
-Json viewJson(const AcquisitionState& state, std::size_t index) {
-  const ViewRecord& record = state.records[index];
+// -1 for scans of no position, as the contract has it.
+int positionOf(const KeptScan& scan) {
+  return scan.station().position.value_or(-1);
+}
+
+Json viewJson(const KeptScan& scan, std::size_t index) {
+  const ScanRecord& record = scan.record;
   Json json{{"index", index},
-            {"position", record.position},
+            {"scan", scan.number},
+            {"stand", scan.station().stand},
+            {"position", positionOf(scan)},
+            {"pose_known_by", name(scan.view.image->poseKnownBy)},
             {"samples", record.samples},
             {"triangles", record.triangles},
             {"predicted", record.predicted ? predictedJson(*record.predicted) : Json(nullptr)},
             {"achieved", {{"new_area_mm2", record.newArea}, {"overlap_mm2", record.overlapArea}}},
             {"registration", registrationJson(record.registration)}};
-  if (record.plan) {
-    json["objective"] = objectiveJson(*record.plan);
-    json["void_patches"] = voidJson(*record.plan);
-    json["plan"] = {{"least_overlap_mm2", record.plan->leastOverlap},
-                    {"termination_threshold_mm2", record.plan->terminationThreshold},
-                    {"relaxations", record.plan->relaxations},
-                    {"angular_error_deg", degrees(record.plan->angularError)}};
+  if (record.planAfter) {
+    json["objective"] = objectiveJson(*record.planAfter);
+    json["void_patches"] = voidJson(*record.planAfter);
+    json["plan"] = {{"least_overlap_mm2", record.planAfter->leastOverlap},
+                    {"termination_threshold_mm2", record.planAfter->terminationThreshold},
+                    {"relaxations", record.planAfter->relaxations},
+                    {"angular_error_deg", degrees(record.planAfter->angularError)}};
   }
   json["seconds"] = secondsJson(record.seconds);
   return json;
+}
+
+Json otherScanJson(const KeptScan& scan) {
+  return {{"scan", scan.number},
+          {"stand", scan.station().stand},
+          {"position", positionOf(scan)},
+          {"registration", registrationJson(scan.record.registration)}};
 }
 
 }  // namespace
@@ -134,14 +149,15 @@ nlohmann::ordered_json makeReport(const AcquisitionState& state, const std::stri
               {"seed", settings.seed},
               {"strategy", name(settings.strategy)},
               {"views", Json::array()}};
-  for (std::size_t i = 0; i < state.records.size(); ++i) report["views"].push_back(viewJson(state, i));
-  report["rejected"] = Json::array();
-  for (const RejectedScan& scan : state.rejected)
-    report["rejected"].push_back(
-        {{"position", scan.image->position}, {"registration", registrationJson(scan.registration)}});
+  for (const KeptScan* scan : scansOf(state, ScanStatus::In))
+    report["views"].push_back(viewJson(*scan, report["views"].size()));
+  for (const ScanStatus status : {ScanStatus::Rejected, ScanStatus::LeftOut, ScanStatus::Waiting}) {
+    Json& list = report[std::string(name(status))] = Json::array();
+    for (const KeptScan* scan : scansOf(state, status)) list.push_back(otherScanJson(*scan));
+  }
+  report["mode"] = name(state.mode);
   report["terminated_by"] = name(state.termination);
-  const bool planned = !state.records.empty() && state.records.back().plan;
-  report["remaining"] = planned ? remainingJson(*state.records.back().plan) : Json::array();
+  report["remaining"] = state.plan ? remainingJson(*state.plan) : Json::array();
   report["model"] = modelJson(state.model ? state.model->mesh : Mesh{});
   report["peak_memory_mb"] = peakMemory();
   return report;

@@ -30,8 +30,8 @@ std::string described(const ImportScans& command) {
   return std::to_string(command.scans.size()) + " recorded scans imported";
 }
 std::string described(const ChoosePosition& command) {
-  return command.position < 0 ? "Proposed position taken again"
-                              : "Position " + std::to_string(command.position) + " chosen";
+  return command.position ? "Position " + std::to_string(*command.position) + " chosen"
+                          : "Proposed position taken again";
 }
 std::string described(const LeaveOutView& command) {
   return "Scan " + std::to_string(command.scan) + " left out";
@@ -45,6 +45,15 @@ std::string described(const Finish& command) {
 }
 std::string described(const TakeOver& /*command*/) {
   return "Taken over from an earlier version";
+}
+std::string described(const TurnObject& /*command*/) {
+  return "Object turned over";
+}
+std::string described(const PlaceStand& command) {
+  return "Stand " + std::to_string(command.stand) + " placed";
+}
+std::string described(const ChangeMode& command) {
+  return command.mode == Mode::Automatic ? "Automatic from here" : "Assisted from here";
 }
 
 }  // namespace
@@ -117,7 +126,11 @@ std::string_view sentenceOf(Termination termination) {
     case Termination::RegistrationFailed:
       return "Ended: scans could not be registered with the model.";
     case Termination::Cancelled:
-      return "Stopped by the operator.";
+      return "The run was stopped; it can be resumed.";
+    case Termination::EndedByOperator:
+      return "Ended by the operator.";
+    case Termination::Imported:
+      return "Recorded scans, put together; nothing was planned.";
   }
   return {};
 }

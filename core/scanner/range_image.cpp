@@ -20,8 +20,8 @@ void validate(const RangeImage& image) {
   for (std::size_t i = 0; i < image.range.size(); ++i)
     if (image.valid(i) && (std::isinf(image.range[i]) || image.range[i] < 0.0F))
       throw InvalidInput("range image: distance " + std::to_string(i) + " is " + std::to_string(image.range[i]));
-  const Eigen::Matrix3d& r = image.T_object_scanner.linear();
-  if (!image.T_object_scanner.matrix().allFinite() || !(r * r.transpose()).isIdentity(1e-6) || r.determinant() < 0.0)
+  const Eigen::Matrix3d& r = image.T_table_scanner.linear();
+  if (!image.T_table_scanner.matrix().allFinite() || !(r * r.transpose()).isIdentity(1e-6) || r.determinant() < 0.0)
     throw InvalidInput("range image: the pose is not a rigid motion");
 }
 

@@ -7,15 +7,18 @@
 #include <vector>
 
 #include "scanner/ray_grid.h"
+#include "scanner/station.h"
 
 namespace vantage {
 
-/// One scan: a distance for every ranging ray, and where the scanner stood.
+/// One scan: a distance for every ranging ray, and where the scanner stood relative to the table. The table turns with
+/// the object: while the object keeps its stand, moving the table moves the scanner about it.
 struct RangeImage {
   std::shared_ptr<const RayGrid> rays;  ///< scanner coordinates
   std::vector<float> range;             ///< rays->size() distances along the rays [mm]; NaN where nothing was measured
-  Pose T_object_scanner = Pose::Identity();  ///< nominal until registered
-  int position = -1;                         ///< index into the workspace; -1 when unknown
+  Pose T_table_scanner = Pose::Identity();  ///< as it was reached, before any registration
+  PoseSource poseKnownBy = PoseSource::Unknown;
+  Station station;
 
   [[nodiscard]] bool valid(std::size_t i) const { return !std::isnan(range[i]); }
 

@@ -22,8 +22,9 @@ RangeImage scanFrom(const Rig& rig, int position, const Progress& progress) {
   requireReady(*rig.sensor);
   const ReachedPose reached = rig.positioner->moveTo(position, progress.part(0.0, 0.3));
   RangeImage image = rig.sensor->capture(progress.part(0.3, 1.0));
-  image.T_object_scanner = reached.T_table_scanner;
-  image.position = reached.position;
+  image.T_table_scanner = reached.T_table_scanner;
+  image.poseKnownBy = reached.knownBy;
+  image.station.position = reached.position;
   return image;
 }
 

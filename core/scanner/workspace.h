@@ -6,8 +6,9 @@
 
 namespace vantage {
 
-/// The workspace X: every pose x_i that the scanner can take relative to the object, T_object_scanner, by position.
-/// x_0 is the identity for turntables: the world frame is the object frame of position 0.
+/// The workspace X: every pose x_i that the scanner can take relative to the table, T_table_scanner, by position. x_0
+/// is the identity for turntables: the table's frame, which turns with it, is the scanner's frame at position 0. How
+/// the object stands on the table is another matter, see Stand.
 struct Workspace {
   std::vector<Pose> poses;
   /// Turntable positions per full turn; poses i and i + 1 of one tilt differ by a turn of 2 pi / steps about z. 0 when

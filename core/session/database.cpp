@@ -79,6 +79,12 @@ Statement& Statement::bind(int parameter, std::int64_t value) {
   return *this;
 }
 
+Statement& Statement::bindOptional(int parameter, std::optional<std::int64_t> value) {
+  if (value) return bind(parameter, *value);
+  check(sqlite3_bind_null(statement_.get(), parameter));
+  return *this;
+}
+
 Statement& Statement::bind(int parameter, double value) {
   check(sqlite3_bind_double(statement_.get(), parameter, value));
   return *this;
@@ -124,6 +130,11 @@ int Statement::columns() const {
 
 std::int64_t Statement::integer(int column) const {
   return sqlite3_column_int64(statement_.get(), column);
+}
+
+std::optional<std::int64_t> Statement::optionalInteger(int column) const {
+  if (sqlite3_column_type(statement_.get(), column) == SQLITE_NULL) return std::nullopt;
+  return integer(column);
 }
 
 double Statement::real(int column) const {

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -21,6 +22,8 @@ class Statement {
   Statement& bind(int parameter, double value);
   Statement& bind(int parameter, std::string_view text);
   Statement& bind(int parameter, std::span<const std::byte> blob);
+  /// NULL for nothing.
+  Statement& bindOptional(int parameter, std::optional<std::int64_t> value);
 
   /// Binds all columns of another statement's row, whatever they are, to parameters 1, 2, ...
   Statement& bindRow(const Statement& row);
@@ -32,6 +35,8 @@ class Statement {
 
   [[nodiscard]] int columns() const;
   [[nodiscard]] std::int64_t integer(int column) const;
+  /// Nothing for NULL.
+  [[nodiscard]] std::optional<std::int64_t> optionalInteger(int column) const;
   [[nodiscard]] double real(int column) const;
   [[nodiscard]] std::string text(int column) const;
   [[nodiscard]] std::vector<std::byte> blob(int column) const;

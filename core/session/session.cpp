@@ -10,6 +10,7 @@
 #include <system_error>
 #include <utility>
 
+#include "acquisition/apply_command.h"
 #include "base/errors.h"
 #include "geometry/geometry_hash.h"
 #include "io/placement.h"
@@ -96,10 +97,7 @@ struct Session::Parts {
     const StateOutline& before = first ? none : *history.current().outline;
     entry.outline = std::make_shared<const StateOutline>(states.outline(*shared, before, entry.step));
     std::optional<PackedPlan> newPlan;
-    if (!shared->views.empty() && entry.outline->views.back().planStep == entry.step) {
-      const Plan& plan = *shared->records.back().plan;
-      newPlan = PackedPlan{planText(plan), planBlob(plan)};
-    }
+    if (entry.outline->planStep == entry.step) newPlan = PackedPlan{planText(*shared->plan), planBlob(*shared->plan)};
     entry.hash = hash.get();
     transact(store, [&] { store.addStep(entry, first ? 0 : history.current().step, newPlan); });
     states.remember(*entry.outline, *shared);
@@ -141,7 +139,8 @@ Session::~Session() = default;
 namespace {
 
 // Writes a new session under another name.
-void writeNew(const std::string& path, const SessionStart& start) {
+void writeNew(const std::string& path, const SessionStart& start,
+              const std::shared_ptr<const ScannerProfile>& profile) {
   Session::Parts parts(path, SessionAccess::Write, std::nullopt, Database(path, Database::Mode::Create));
   SessionStore& store = parts.store;
   transact(store, [&] {
@@ -149,9 +148,10 @@ void writeNew(const std::string& path, const SessionStart& start) {
     if (start.profile) store.setProfileSource(*start.profile);
     if (start.object != nullptr) store.setObject(*start.object);
   });
-  AcquisitionState state;
-  state.settings = start.settings;
-  parts.add(ChangeSettings{start.settings}, std::move(state));
+  AcquisitionState empty;
+  empty.profile = profile;
+  const ChangeSettings command{start.settings};
+  parts.add(command, applyCommand(empty, command, {}, {}));
 }
 
 }  // namespace
@@ -161,8 +161,13 @@ Session Session::create(const std::string& path, const SessionStart& start) {
   SessionLock lock(path);
   auto profile = start.scanner ? start.scanner : SessionStates::parsed(start.profile);
   const std::string unfinished = path + ".new";
-  writeNew(unfinished, start);
   std::error_code error;
+  try {
+    writeNew(unfinished, start, profile);
+  } catch (...) {
+    for (const char* suffix : {"", "-wal", "-shm"}) std::filesystem::remove(unfinished + suffix, error);
+    throw;
+  }
   for (const char* suffix : {"-wal", "-shm"}) std::filesystem::remove(path + suffix, error);
   std::filesystem::rename(unfinished, path, error);
   if (error) throw IoError(path, "cannot be written: " + error.message());
@@ -216,14 +221,14 @@ std::shared_ptr<const Model> Session::model(std::size_t index) const {
   const std::lock_guard guard(parts_->mutex);
   const HistoryEntry& entry = parts_->history.entry(index);
   if (entry.outline->modelStep == 0) return nullptr;
-  if (auto model = parts_->states.model(entry.outline->modelStep, entry.outline->views.size())) return model;
+  const std::size_t views = countScans(*entry.outline, ScanStatus::In);
+  if (auto model = parts_->states.model(entry.outline->modelStep, views)) return model;
   return parts_->history.state(index)->model;
 }
 
 std::shared_ptr<const Plan> Session::plan(std::size_t index) const {
   const std::lock_guard guard(parts_->mutex);
-  const StateOutline& outline = *parts_->history.entry(index).outline;
-  return outline.views.empty() ? nullptr : parts_->states.plan(outline.views.back().planStep);
+  return parts_->states.plan(parts_->history.entry(index).outline->planStep);
 }
 
 std::int64_t Session::scanCount() const {
@@ -274,6 +279,11 @@ std::optional<NumberedScan> Session::unusedScan() const {
   } catch (const InvalidInput&) {
     return std::nullopt;
   }
+}
+
+std::optional<Station> Session::lastStation() const {
+  const std::lock_guard guard(parts_->mutex);
+  return parts_->store.lastStation();
 }
 
 void Session::record(const Command& command, AcquisitionState state) {

@@ -6,8 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "acquisition/history.h"
-#include "acquisition/steps.h"
+#include "acquisition/journal.h"
 #include "base/progress.h"
 
 namespace vantage {
@@ -29,8 +28,8 @@ enum class SessionAccess { Read, Write };
 /// writes: they see the session as it was when they opened it. A damaged session is opened as far as it is readable;
 /// for writing it is first copied beside itself. What large pieces nobody holds are not in memory.
 ///
-/// The history changes only by record, undo and redo, which one thread calls; everything else may be called from any.
-class Session {
+/// The history changes only by what an Acquisition does, on one thread; everything else may be called from any.
+class Session final : public Journal {
  public:
   /// Makes a new session; one of that name is replaced. @throws IoError, also when another program writes to it
   [[nodiscard]] static Session create(const std::string& path, const SessionStart& start);
@@ -42,41 +41,31 @@ class Session {
 
   Session(Session&& other) noexcept;
   Session& operator=(Session&& other) noexcept;
-  ~Session();
+  ~Session() override;
 
   [[nodiscard]] const std::string& path() const;
   /// One sentence for everything that was damaged, and for the copy that was made of it.
   [[nodiscard]] std::vector<std::string> losses() const;
 
-  [[nodiscard]] const History& history() const;
+  [[nodiscard]] const History& history() const override;
   /// The state at the cursor, and that after any entry of the history.
-  [[nodiscard]] std::shared_ptr<const AcquisitionState> state() const;
+  [[nodiscard]] std::shared_ptr<const AcquisitionState> state() const override;
   [[nodiscard]] std::shared_ptr<const AcquisitionState> state(std::size_t index) const;
 
-  /// Single pieces, for who shows them: the model and the plan that an entry led to (null without), a scan.
+  /// Single pieces, to be shown: the model and the plan that an entry led to (null without), a scan.
   [[nodiscard]] std::shared_ptr<const Model> model(std::size_t index) const;
   [[nodiscard]] std::shared_ptr<const Plan> plan(std::size_t index) const;
-  [[nodiscard]] std::int64_t scanCount() const;
-  /// @throws InvalidInput when there is no such scan or it is damaged.
-  [[nodiscard]] std::shared_ptr<const RangeImage> scan(std::int64_t number) const;
+  [[nodiscard]] std::int64_t scanCount() const override;
+  [[nodiscard]] std::shared_ptr<const RangeImage> scan(std::int64_t number) const override;
+  [[nodiscard]] std::optional<NumberedScan> unusedScan() const override;
+  [[nodiscard]] std::optional<Station> lastStation() const override;
 
   [[nodiscard]] std::shared_ptr<const ScannerProfile> profile() const;
   /// What the simulated scanner looks at: as it was kept, else read again from its file.
   /// @throws IoError when the file is gone, InvalidInput when it has changed or the session never had one.
   [[nodiscard]] Mesh object(const Progress& progress = {}) const;
 
-  /// Keeps a scan for ever, before anything is made of it. @throws InvalidInput for a scan of no position of the
-  /// profile; IoError as record
-  NumberedScan keepScan(RangeImage image);
-  /// The last scan, when it is whole and no command has used it: a run was interrupted before it could be added.
-  [[nodiscard]] std::optional<NumberedScan> unusedScan() const;
-
-  /// Appends a command with the state it led to. @throws IoError when it cannot be written (disk full): nothing has
-  /// changed; when the file was removed or replaced: all of it, with this command, is in a copy that the message names.
-  /// The model, which can be made again, is written meanwhile.
-  void record(const Command& command, AcquisitionState state);
-  void undo();
-  void redo();
+  NumberedScan keepScan(RangeImage image) override;
 
   /// Remarks of a program, for instance the page that a wizard was on; empty when there is none.
   [[nodiscard]] std::string note(const std::string& key) const;
@@ -91,6 +80,13 @@ class Session {
   struct Parts;
 
  private:
+  /// Every step is on the disk when the call returns. Where the file was removed or replaced meanwhile, all of it, with
+  /// this command, is in a copy that the message of the IoError names. The model, which can be made again, is written
+  /// while the program goes on.
+  void record(const Command& command, AcquisitionState state) override;
+  void undo() override;
+  void redo() override;
+
   explicit Session(std::unique_ptr<Parts> parts);
   std::unique_ptr<Parts> parts_;
 };

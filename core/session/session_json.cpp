@@ -10,8 +10,6 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr Termination kLastTermination = Termination::Cancelled;
-
 template <typename Values>
 Json numberList(const Values& values, std::size_t count) {
   Json list = Json::array();
@@ -33,6 +31,19 @@ Pose poseFrom(const JsonFields& fields, const char* key) {
   for (Eigen::Index i = 0; i < 12; ++i) pose.matrix()(i / 4, i % 4) = values[i];
   if (!pose.matrix().allFinite()) fields.fail(key);
   return pose;
+}
+
+// A pose that must be a rigid motion; nothing for null.
+std::optional<Pose> standPoseFrom(const JsonFields& fields, const Json& json, const char* key) {
+  if (!fields.has(key) || json[key].is_null()) return std::nullopt;
+  const Pose pose = poseFrom(fields, key);
+  const Eigen::Matrix3d r = pose.linear();
+  if (!(r * r.transpose()).isIdentity(1e-6) || r.determinant() < 0.0) fields.fail(key);
+  return pose;
+}
+
+Json standPoseJson(const std::optional<Pose>& pose) {
+  return pose ? poseJson(*pose) : Json(nullptr);
 }
 
 Json motionsJson(const WeakMotions& motions) {
@@ -195,8 +206,9 @@ Json json(const AddScan& c) {
 Json json(const ImportScans& c) {
   return {{"scans", c.scans}};
 }
+// -1 is no position, as in the files of all versions.
 Json json(const ChoosePosition& c) {
-  return {{"position", c.position}};
+  return {{"position", c.position.value_or(-1)}};
 }
 Json json(const LeaveOutView& c) {
   return {{"scan", c.scan}};
@@ -210,6 +222,15 @@ Json json(const Finish& c) {
 Json json(const TakeOver& /*c*/) {
   return Json::object();
 }
+Json json(const TurnObject& c) {
+  return {{"T_object_table", standPoseJson(c.T_object_table)}};
+}
+Json json(const PlaceStand& c) {
+  return {{"stand", c.stand}, {"T_object_table", poseJson(c.T_object_table)}};
+}
+Json json(const ChangeMode& c) {
+  return {{"mode", name(c.mode)}};
+}
 
 std::int64_t scanOf(const JsonFields& fields) {
   return fields.integer("scan", 0, std::numeric_limits<std::int64_t>::max());
@@ -219,6 +240,17 @@ AddScan addScanFrom(const JsonFields& fields) {
   AddScan command{scanOf(fields), {}};
   if (fields.has("predicted")) command.predicted = predictionFrom(fields.object("predicted"));
   return command;
+}
+
+ChoosePosition choosePositionFrom(const JsonFields& fields) {
+  const int position = fields.integer("position");
+  return {position < 0 ? std::nullopt : std::optional(position)};
+}
+
+PlaceStand placeStandFrom(const JsonFields& fields, const Json& json) {
+  const auto pose = standPoseFrom(fields, json, "T_object_table");
+  if (!pose) fields.fail("T_object_table");
+  return {fields.integer("stand"), *pose};
 }
 
 ImportScans importScansFrom(const JsonFields& fields) {
@@ -252,17 +284,38 @@ Command commandFromText(std::string_view kind, const std::string& text, const st
   if (kind == "change_settings") return ChangeSettings{settingsFrom(fields, json)};
   if (kind == "add_scan") return addScanFrom(fields);
   if (kind == "import_scans") return importScansFrom(fields);
-  if (kind == "choose_position") return ChoosePosition{fields.integer("position")};
+  if (kind == "choose_position") return choosePositionFrom(fields);
   if (kind == "leave_out") return LeaveOutView{scanOf(fields)};
   if (kind == "take_back") return TakeBackView{scanOf(fields)};
   if (kind == "finish") return Finish{fields.named("termination", kLastTermination)};
   if (kind == "take_over") return TakeOver{};
+  if (kind == "turn_object") return TurnObject{standPoseFrom(fields, json, "T_object_table")};
+  if (kind == "place_stand") return placeStandFrom(fields, json);
+  if (kind == "change_mode") return ChangeMode{fields.named("mode", kLastMode)};
   throw InvalidInput(what + " is damaged: its kind of command is not known");
 }
 
-std::string recordText(const ViewRecord& r) {
-  Json json{{"scan", r.scan},
-            {"position", r.position},
+std::string standsText(const std::vector<Stand>& stands) {
+  Json list = Json::array();
+  for (const Stand& stand : stands) list.push_back({{"T_object_table", standPoseJson(stand.T_object_table)}});
+  return Json{{"stands", std::move(list)}}.dump();
+}
+
+std::vector<Stand> standsFromText(const std::string& text, const std::string& what) {
+  const Json json = jsonObject(text, what);
+  const JsonFields fields(json, what);
+  std::vector<Stand> stands;
+  for (const Json& stand : fields.list("stands"))
+    stands.push_back({standPoseFrom({stand, what}, stand, "T_object_table")});
+  if (stands.empty()) fields.fail("stands");
+  return stands;
+}
+
+std::string recordText(const OutlinedScan& scan) {
+  const ScanRecord& r = *scan.record;
+  Json json{{"scan", scan.scan},
+            {"stand", scan.station.stand},
+            {"position", scan.station.position.value_or(-1)},
             {"samples", r.samples},
             {"triangles", r.triangles},
             {"registration", registrationJson(r.registration)},
@@ -274,12 +327,10 @@ std::string recordText(const ViewRecord& r) {
   return json.dump();
 }
 
-ViewRecord recordFromText(const std::string& text, const std::string& what) {
+ScanRecord recordFromText(const std::string& text, const std::string& what) {
   const Json json = jsonObject(text, what);
   const JsonFields fields(json, what);
-  ViewRecord r;
-  r.scan = scanOf(fields);
-  r.position = fields.integer("position");
+  ScanRecord r;
   r.samples = fields.count("samples");
   r.triangles = fields.count("triangles");
   r.registration = registrationFrom(fields.object("registration"));
@@ -326,10 +377,31 @@ Plan planFromText(const std::string& text, const std::string& what) {
   return plan;
 }
 
+namespace {
+
+template <typename Enum>
+Enum byName(std::string_view text, Enum last, const std::string& what, const char* field) {
+  for (int i = 0; i <= static_cast<int>(last); ++i)
+    if (name(static_cast<Enum>(i)) == text) return static_cast<Enum>(i);
+  throw InvalidInput(what + " is damaged: its " + field + " is not known");
+}
+
+}  // namespace
+
 Termination terminationFromName(std::string_view text, const std::string& what) {
-  for (int i = 0; i <= static_cast<int>(kLastTermination); ++i)
-    if (name(static_cast<Termination>(i)) == text) return static_cast<Termination>(i);
-  throw InvalidInput(what + " is damaged: its termination is not known");
+  return byName(text, kLastTermination, what, "termination");
+}
+
+Mode modeFromName(std::string_view text, const std::string& what) {
+  return byName(text, kLastMode, what, "mode");
+}
+
+ScanStatus scanStatusFromName(std::string_view text, const std::string& what) {
+  return byName(text, kLastScanStatus, what, "status");
+}
+
+PoseSource poseSourceFromName(std::string_view text, const std::string& what) {
+  return byName(text, PoseSource::ByHand, what, "source of the pose");
 }
 
 }  // namespace vantage

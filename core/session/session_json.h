@@ -4,8 +4,8 @@
 #include <string>
 #include <string_view>
 
-#include "acquisition/acquisition_state.h"
 #include "acquisition/command.h"
+#include "acquisition/history.h"
 
 namespace vantage {
 
@@ -18,14 +18,22 @@ namespace vantage {
 [[nodiscard]] std::string commandText(const Command& command);
 [[nodiscard]] Command commandFromText(std::string_view kind, const std::string& text, const std::string& what);
 
-/// A record without its plan.
-[[nodiscard]] std::string recordText(const ViewRecord& record);
-[[nodiscard]] ViewRecord recordFromText(const std::string& text, const std::string& what);
+/// The stands as a list of poses T_object_table (12 numbers; null: not known).
+[[nodiscard]] std::string standsText(const std::vector<Stand>& stands);
+[[nodiscard]] std::vector<Stand> standsFromText(const std::string& text, const std::string& what);
+
+/// What a scan brought, without its plan, with its number and where it was taken.
+[[nodiscard]] std::string recordText(const OutlinedScan& scan);
+[[nodiscard]] ScanRecord recordFromText(const std::string& text, const std::string& what);
 
 /// A plan's decision and the scores of all positions; what is per patch is in planBlob.
 [[nodiscard]] std::string planText(const Plan& plan);
 [[nodiscard]] Plan planFromText(const std::string& text, const std::string& what);
 
+/// Enumerators by their names.
 [[nodiscard]] Termination terminationFromName(std::string_view text, const std::string& what);
+[[nodiscard]] Mode modeFromName(std::string_view text, const std::string& what);
+[[nodiscard]] ScanStatus scanStatusFromName(std::string_view text, const std::string& what);
+[[nodiscard]] PoseSource poseSourceFromName(std::string_view text, const std::string& what);
 
 }  // namespace vantage

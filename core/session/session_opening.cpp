@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "base/errors.h"
+#include "session/session_migration.h"
 #include "session/session_rescue.h"
 #include "session/session_schema.h"
 #include "session/session_store.h"
@@ -74,6 +75,7 @@ Database openSessionForReading(const std::string& path, std::vector<std::string>
   if (!database.sound()) {
     Database copy = Database::inMemory(path);
     losses = rescueRows(database, copy);
+    if (version != kSessionSchema) migrateSession(copy);
     return copy;
   }
   if (version == kSessionSchema) return database;

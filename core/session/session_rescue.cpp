@@ -37,8 +37,9 @@ void copyFile(const std::string& from, const std::string& to) {
 std::vector<std::string> rescueRows(Database& damaged, Database& copy) {
   std::vector<std::string> losses;
   Database::Transaction transaction(copy);
-  createSessionTables(copy);
-  for (const std::string& table : sessionTables()) {
+  const int version = checkSessionTables(damaged);
+  createSessionTables(copy, version);
+  for (const std::string& table : sessionTables(version)) {
     if (copyFrom(damaged, copy, table, "ASC")) continue;
     static_cast<void>(copyFrom(damaged, copy, table, "DESC"));
     Statement count = copy.prepare("SELECT count(*) FROM " + table);

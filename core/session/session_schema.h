@@ -7,37 +7,39 @@
 
 namespace vantage {
 
-/// The tables of a session file, version 2. README.md tells how to read them with the sqlite3 shell.
+/// The tables of a session file, version 3. core/session/README.md tells how to read them with the sqlite3 shell.
 ///
 ///   meta(key, value)      schema, program; cursor and tip: the steps that hold now and that redo ends at; note:...
 ///   file(name, content)   the profile as it was read (profile.json), and the files that it names
 ///   object(id, hash, mesh)                           what the simulated scanner looks at, zstd
 ///   rays(id, rows, columns, receivers, data)         ranging rays of recorded scans, zstd
-///   scan(id, position, rays, nominal, range)         every range image as it came, zstd over 32-bit floats; never
-///                                                    deleted
-///   step(id, parent, kind, command, settings, chosen, termination, views, model, hash)
-///                                                    every command that was carried out, what it led to
+///   scan(id, stand, position, known_by, rays, nominal, range)
+///                                                    every range image as it came, zstd over 32-bit floats; never
+///                                                    deleted; position NULL: of none
+///   step(id, parent, kind, command, settings, mode, stands, chosen, termination, views, model, plan, hash)
+///                                                    every command that was carried out, what it led to; chosen NULL:
+///                                                    as proposed
 ///   view(step, place, scan, status, pose, record, plan)
-///                                                    per step the views where they were found; record and plan name
-///                                                    the steps that made them
+///                                                    per step the scans with what became of them; record and plan
+///                                                    name the steps that made them
 ///   record(step, scan, data)                         what a scan brought: registration, areas, times
 ///   plan(step, summary, data)                        the plan made in a step; data: what is per patch, zstd
 ///   model(step, data)                                the model made in a step, zstd; can be made again
 ///   event(id, what, step)                            every command, undo and redo, in order
 ///
-/// Poses are 12 doubles, the first three rows of T_object_scanner. Bytes are little endian.
-inline constexpr int kSessionSchema = 2;
+/// Poses are 12 doubles, the first three rows of T_object_scanner (view) or T_table_scanner (scan). Bytes are little
+/// endian.
+inline constexpr int kSessionSchema = 3;
 
-/// Names of the tables in the order above.
-[[nodiscard]] const std::vector<std::string>& sessionTables();
+/// Names of the tables of a version in the order above.
+[[nodiscard]] std::vector<std::string> sessionTables(int version);
 
-void createSessionTables(Database& database);
+void createSessionTables(Database& database, int version = kSessionSchema);
+/// One of them.
+void createSessionTable(Database& database, int version, const std::string& name);
 
 /// @return the schema's version.
 /// @throws InvalidInput when the database is not a session: its tables are not exactly those of a version.
 [[nodiscard]] int checkSessionTables(Database& database);
-
-/// Brings tables of an earlier version up to date, all or nothing.
-void migrateSession(Database& database);
 
 }  // namespace vantage

@@ -38,23 +38,21 @@ std::shared_ptr<const ScannerProfile> SessionStates::parsed(const std::optional<
 }
 
 void SessionStates::dropImpossible(StoredHistory& history) {
-  const auto known = [&](const OutlinedView& view) {
-    return view.record->position >= -1 && exists(view.record->position);
-  };
   for (std::size_t i = history.entries.size(); i-- > 0;) {
     const StateOutline& outline = *history.entries[i].outline;
-    bool possible = exists(outline.chosenPosition);
-    for (const auto* list : {&outline.views, &outline.rejected, &outline.leftOut})
-      possible = possible && std::all_of(list->begin(), list->end(), known);
-    if (possible) continue;
+    const auto known = [&](const OutlinedScan& scan) {
+      return exists(scan.station.position) && scan.station.stand >= 0 &&
+             scan.station.stand < static_cast<int>(outline.stands.size());
+    };
+    if (exists(outline.chosenPosition) && std::all_of(outline.scans.begin(), outline.scans.end(), known)) continue;
     lose(store_.path() + ": step " + std::to_string(history.entries[i].step) + " is lost: it names no position");
     history.entries.erase(history.entries.begin() + static_cast<std::ptrdiff_t>(i));
     if (history.cursor > 0 && history.cursor >= i) --history.cursor;
   }
 }
 
-bool SessionStates::exists(int position) const {
-  return position < 0 || (profile_ && position < static_cast<int>(profile_->workspace.size()));
+bool SessionStates::exists(std::optional<int> position) const {
+  return !position || (profile_ && *position >= 0 && *position < static_cast<int>(profile_->workspace.size()));
 }
 
 std::shared_ptr<const RayGrid> SessionStates::raysOf(std::int64_t id) {
@@ -70,8 +68,9 @@ std::shared_ptr<const RangeImage> SessionStates::scan(std::int64_t number) {
   const std::string what = store_.path() + ": scan " + std::to_string(number);
   image.rays = raysOf(rays);
   if (!image.rays) throw InvalidInput(what + " has no rays: the profile is missing");
-  if (!exists(image.position))
-    throw InvalidInput(what + " is damaged: its position " + std::to_string(image.position) + " does not exist");
+  if (!exists(image.station.position))
+    throw InvalidInput(what + " is damaged: its position " + std::to_string(*image.station.position) +
+                       " does not exist");
   try {
     validate(image);
   } catch (const InvalidInput& e) {
@@ -83,8 +82,8 @@ std::shared_ptr<const RangeImage> SessionStates::scan(std::int64_t number) {
 }
 
 StoredScan SessionStates::keep(const RangeImage& image) {
-  if (!exists(image.position))
-    throw InvalidInput(store_.path() + ": a scan of position " + std::to_string(image.position) +
+  if (!exists(image.station.position))
+    throw InvalidInput(store_.path() + ": a scan of position " + std::to_string(*image.station.position) +
                        ", which does not exist");
   StoredScan scan;
   if (!profile_ || image.rays != profile_->rays) {
@@ -144,36 +143,20 @@ std::shared_ptr<const ViewMesh> SessionStates::meshOf(std::int64_t scan, const R
   return mesh;
 }
 
-std::optional<LeftOutView> SessionStates::viewOf(const OutlinedView& outlined,
-                                                 const TriangulationOptions& triangulation) {
+std::optional<KeptScan> SessionStates::keptScan(const OutlinedScan& outlined,
+                                                const TriangulationOptions& triangulation) {
   try {
-    LeftOutView found;
-    found.view.image = scan(outlined.scan);
-    found.view.mesh = meshOf(outlined.scan, *found.view.image, triangulation);
-    found.view.T_object_scanner = outlined.T_object_scanner;
-    found.record = *outlined.record;
-    found.record.position = found.view.image->position;
-    found.record.plan = plan(outlined.planStep);
-    return found;
+    KeptScan kept{outlined.scan, outlined.status, {}, *outlined.record};
+    kept.view.image = scan(outlined.scan);
+    kept.view.T_object_scanner = outlined.T_object_scanner;
+    if (outlined.status == ScanStatus::In || outlined.status == ScanStatus::LeftOut)
+      kept.view.mesh = meshOf(outlined.scan, *kept.view.image, triangulation);
+    kept.record.planAfter = plan(outlined.planStep);
+    return kept;
   } catch (const InvalidInput& e) {
     lose(e.what());
     return std::nullopt;
   }
-}
-
-void SessionStates::addViews(AcquisitionState& state, const StateOutline& outline) {
-  const TriangulationOptions triangulation = stepOptionsFor(state).triangulation;
-  for (const OutlinedView& o : outline.views) {
-    auto found = viewOf(o, triangulation);
-    if (!found) continue;
-    state.views.push_back(std::move(found->view));
-    state.records.push_back(std::move(found->record));
-  }
-  for (const OutlinedView& o : outline.leftOut)
-    if (auto found = viewOf(o, triangulation)) state.leftOut.push_back(std::move(*found));
-  for (const OutlinedView& o : outline.rejected)
-    if (auto found = viewOf(o, triangulation))
-      state.rejected.push_back({o.scan, found->view.image, o.record->registration});
 }
 
 AcquisitionState SessionStates::state(const History& history, const HistoryEntry& entry) {
@@ -181,25 +164,31 @@ AcquisitionState SessionStates::state(const History& history, const HistoryEntry
   AcquisitionState state;
   state.profile = profile_;
   state.settings = outline.settings;
+  state.mode = outline.mode;
+  state.stands = outline.stands;
   state.termination = outline.termination;
   state.chosenPosition = outline.chosenPosition;
   if (profile_)
     state.settings.firstView = std::min(state.settings.firstView, static_cast<int>(profile_->workspace.size()) - 1);
-  addViews(state, outline);
-  if (state.views.empty()) return state;
+  const TriangulationOptions triangulation = stepOptionsFor(state).triangulation;
+  for (const OutlinedScan& o : outline.scans)
+    if (auto kept = keptScan(o, triangulation)) state.scans.push_back(std::move(*kept));
 
-  const bool whole = state.views.size() == outline.views.size();
-  state.model = whole ? modelOf(state, history, entry) : integrateViews(state.views, stepOptionsFor(state), {});
-  std::shared_ptr<const Plan>& last = state.records.back().plan;
-  if (last && (!whole || !vantage::fits(*last, *state.model, state.views.size()))) last = nullptr;
+  const std::vector<View> views = viewsOf(state);
+  if (views.empty()) return state;
+  const bool whole = views.size() == countScans(outline, ScanStatus::In);
+  state.model = whole ? modelOf(state, history, entry) : integrateViews(views, stepOptionsFor(state), {});
+  const auto held = plan(outline.planStep);
+  if (held && whole && vantage::fits(*held, *state.model, views.size())) state.plan = held;
   return state;
 }
 
 std::shared_ptr<const Model> SessionStates::modelOf(const AcquisitionState& state, const History& history,
                                                     const HistoryEntry& entry) {
   const std::int64_t step = entry.outline->modelStep;
-  if (auto kept = model(step, state.views.size())) {
-    if (vantage::fits(*kept, state.views)) return kept;
+  const std::vector<View> views = viewsOf(state);
+  if (auto kept = model(step, views.size())) {
+    if (vantage::fits(*kept, views)) return kept;
     lose(store_.path() + ": model " + std::to_string(step) + " is of other samples; it is made again");
   }
   auto made = replayedModel(state, history, step);
@@ -211,71 +200,51 @@ std::shared_ptr<const Model> SessionStates::modelOf(const AcquisitionState& stat
 // anew, of all views.
 std::shared_ptr<const Model> SessionStates::replayedModel(const AcquisitionState& state, const History& history,
                                                           std::int64_t step) {
+  const std::vector<View> views = viewsOf(state);
   for (std::size_t i = 1; i < history.size(); ++i) {
     if (history.entry(i).step != step) continue;
     try {
       const std::shared_ptr<const AcquisitionState> before = history.state(i - 1);
       const CommandInput input{[&](std::int64_t number) { return scan(number); }, nullptr};
       const AcquisitionState after = applyCommand(*before, history.entry(i).command, input, {});
-      if (after.model && vantage::fits(*after.model, state.views)) return after.model;
+      if (after.model && vantage::fits(*after.model, views)) return after.model;
     } catch (const InvalidInput&) {
       // Then not.
     }
   }
-  return integrateViews(state.views, stepOptionsFor(state), {});
+  return integrateViews(views, stepOptionsFor(state), {});
 }
 
-OutlinedView SessionStates::outlined(const ViewRecord& record, const Pose& pose, const StateOutline& before,
-                                     std::int64_t step) {
-  OutlinedView view{record.scan, pose, nullptr, step, 0};
-  for (const auto* list : {&before.views, &before.rejected, &before.leftOut}) {
-    const auto old = std::find_if(list->begin(), list->end(), [&](const auto& v) { return v.scan == record.scan; });
-    if (old == list->end()) continue;
-    view.record = old->record;
-    view.recordStep = old->recordStep;
-    view.planStep = record.plan ? old->planStep : 0;
-    return view;
-  }
-  auto kept = std::make_shared<ViewRecord>(record);
-  kept->plan = nullptr;
-  view.record = std::move(kept);
-  return view;
+// Says which steps made the record of a scan and the plan after it. A record is written once; only that of a scan that
+// waited changes.
+void SessionStates::findSteps(OutlinedScan& scan, bool planned, const StateOutline& before, std::int64_t step) {
+  const auto old = std::find_if(before.scans.begin(), before.scans.end(),
+                                [&](const OutlinedScan& o) { return o.scan == scan.scan; });
+  const bool known =
+      old != before.scans.end() && (old->status != ScanStatus::Waiting || scan.status == ScanStatus::Waiting);
+  if (known) scan.record = old->record;
+  scan.recordStep = known ? old->recordStep : step;
+  scan.planStep = !planned ? 0 : known ? old->planStep : step;
 }
 
 StateOutline SessionStates::outline(const AcquisitionState& state, const StateOutline& before, std::int64_t step) {
-  StateOutline outline;
-  outline.settings = state.settings;
-  outline.chosenPosition = state.chosenPosition;
-  outline.termination = state.termination;
-  for (std::size_t i = 0; i < state.views.size(); ++i)
-    outline.views.push_back(outlined(state.records[i], state.views[i].T_object_scanner, before, step));
-  for (const LeftOutView& v : state.leftOut)
-    outline.leftOut.push_back(outlined(v.record, v.view.T_object_scanner, before, step));
-  for (const RejectedScan& scan : state.rejected) {
-    ViewRecord record;
-    record.scan = scan.scan;
-    record.position = scan.image->position;
-    record.samples = scan.image->sampleCount();
-    record.registration = scan.registration;
-    outline.rejected.push_back(outlined(record, scan.image->T_object_scanner, before, step));
-  }
-  // Only the last view's plan can be a new one.
-  if (const auto plan = currentPlan(state)) {
-    OutlinedView& last = outline.views.back();
-    if (last.planStep == 0 || plans_[last.planStep].lock() != plan) last.planStep = step;
-  }
+  StateOutline outline = outlineOf(state);
+  for (std::size_t i = 0; i < state.scans.size(); ++i)
+    findSteps(outline.scans[i], state.scans[i].record.planAfter != nullptr, before, step);
+  const bool samePlan = before.planStep != 0 && plans_[before.planStep].lock() == state.plan;
+  outline.planStep = !state.plan ? 0 : samePlan ? before.planStep : step;
   const bool sameModel = before.modelStep != 0 && models_[before.modelStep].lock() == state.model;
   outline.modelStep = !state.model ? 0 : sameModel ? before.modelStep : step;
   return outline;
 }
 
 void SessionStates::remember(const StateOutline& outline, const AcquisitionState& state) {
-  for (std::size_t i = 0; i < state.views.size(); ++i) {
-    scans_[outline.views[i].scan] = state.views[i].image;
-    meshes_[outline.views[i].scan] = state.views[i].mesh;
+  for (const KeptScan& scan : state.scans) {
+    scans_[scan.number] = scan.view.image;
+    if (scan.view.mesh) meshes_[scan.number] = scan.view.mesh;
   }
   models_[outline.modelStep] = state.model;
-  if (const auto plan = currentPlan(state)) plans_[outline.views.back().planStep] = plan;
+  if (state.plan) plans_[outline.planStep] = state.plan;
 }
 
 }  // namespace vantage

@@ -15,7 +15,7 @@ namespace vantage {
 
 /// What a scan and its ray grid are called in the file; 0 is the profile's grid.
 struct StoredScan {
-  std::int64_t number = -1;
+  std::int64_t number = 0;
   std::int64_t rays = 0;
 };
 
@@ -33,7 +33,7 @@ class SessionStates {
   void setProfile(std::shared_ptr<const ScannerProfile> profile) { profile_ = std::move(profile); }
   [[nodiscard]] const std::shared_ptr<const ScannerProfile>& profile() const { return profile_; }
 
-  /// Takes steps out of a history that name positions which the profile does not have.
+  /// Takes steps out of a history that name positions or stands which there are not.
   void dropImpossible(StoredHistory& history);
 
   /// The state after an entry of the history. A model that is not there is made again from the steps before it.
@@ -56,18 +56,16 @@ class SessionStates {
   void remember(const StateOutline& outline, const AcquisitionState& state);
 
  private:
-  /// Whether scans can be of a position; -1 is that of recorded ones.
-  [[nodiscard]] bool exists(int position) const;
+  /// Whether scans can be of a position; of none they can always be.
+  [[nodiscard]] bool exists(std::optional<int> position) const;
   [[nodiscard]] std::shared_ptr<const RayGrid> raysOf(std::int64_t id);
   [[nodiscard]] bool fits(const Plan& plan) const;
   [[nodiscard]] std::shared_ptr<const ViewMesh> meshOf(std::int64_t scan, const RangeImage& image,
                                                        const TriangulationOptions& triangulation);
-  /// The view with its record; nothing when the scan is lost.
-  [[nodiscard]] std::optional<LeftOutView> viewOf(const OutlinedView& outlined,
-                                                  const TriangulationOptions& triangulation);
-  void addViews(AcquisitionState& state, const StateOutline& outline);
-  [[nodiscard]] OutlinedView outlined(const ViewRecord& record, const Pose& pose, const StateOutline& before,
-                                      std::int64_t step);
+  /// Nothing when the scan is lost.
+  [[nodiscard]] std::optional<KeptScan> keptScan(const OutlinedScan& outlined,
+                                                 const TriangulationOptions& triangulation);
+  static void findSteps(OutlinedScan& scan, bool planned, const StateOutline& before, std::int64_t step);
   [[nodiscard]] std::shared_ptr<const Model> modelOf(const AcquisitionState& state, const History& history,
                                                      const HistoryEntry& entry);
   [[nodiscard]] std::shared_ptr<const Model> replayedModel(const AcquisitionState& state, const History& history,

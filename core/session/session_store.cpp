@@ -20,6 +20,12 @@ constexpr std::int64_t kMostScans = 100'000;
 // Models of old steps are thinned out beyond this: they can be made again.
 constexpr std::int64_t kModelBytes = 512LL << 20;
 
+std::int64_t numberIn(const std::string& text) {
+  std::int64_t number = 0;
+  std::from_chars(text.data(), text.data() + text.size(), number);
+  return number;
+}
+
 }  // namespace
 
 std::string SessionStore::meta(const std::string& key) {
@@ -73,6 +79,10 @@ void SessionStore::setObject(const Mesh& mesh) {
   insert.run();
 }
 
+StoredHistory SessionStore::history() {
+  return readHistory(database_, numberIn(meta("tip")), numberIn(meta("cursor")));
+}
+
 std::int64_t SessionStore::scanCount() {
   Statement row = database_.prepare("SELECT ifnull(max(id), -1) FROM scan");
   row.step();
@@ -95,15 +105,23 @@ bool SessionStore::scanUsed(std::int64_t number) {
   return row.bind(1, number).step();
 }
 
+std::optional<Station> SessionStore::lastStation() {
+  Statement row = database_.prepare("SELECT stand, position FROM scan ORDER BY id DESC LIMIT 1");
+  if (!row.step()) return std::nullopt;
+  return stationOf(row, 0);
+}
+
 std::pair<RangeImage, std::int64_t> SessionStore::scan(std::int64_t number) {
   const std::string what = path() + ": scan " + std::to_string(number);
-  Statement row = database_.prepare("SELECT position, ifnull(rays, 0), nominal, range FROM scan WHERE id = ?");
+  Statement row =
+      database_.prepare("SELECT stand, position, known_by, ifnull(rays, 0), nominal, range FROM scan WHERE id = ?");
   if (!row.bind(1, number).step()) throw InvalidInput(what + " does not exist");
   RangeImage image;
-  image.position = static_cast<int>(std::clamp<std::int64_t>(row.integer(0), -1, 1'000'000));
-  image.T_object_scanner = poseFromBlob(row.blob(2), what);
-  image.range = rangeFromBlob(row.blob(3), what);
-  return {std::move(image), row.integer(1)};
+  image.station = stationOf(row, 0);
+  image.poseKnownBy = poseSourceFromName(row.text(2), what);
+  image.T_table_scanner = poseFromBlob(row.blob(4), what);
+  image.range = rangeFromBlob(row.blob(5), what);
+  return {std::move(image), row.integer(3)};
 }
 
 RayGrid SessionStore::rays(std::int64_t id) {
@@ -130,12 +148,14 @@ std::int64_t SessionStore::addRays(const RayGrid& rays) {
 
 std::int64_t SessionStore::addScan(const RangeImage& image, std::int64_t rays) {
   const std::int64_t number = scanCount();
-  database_.prepare("INSERT INTO scan VALUES(?, ?, nullif(?, 0), ?, ?)")
+  database_.prepare("INSERT INTO scan VALUES(?, ?, ?, ?, nullif(?, 0), ?, ?)")
       .bind(1, number)
-      .bind(2, std::int64_t{image.position})
-      .bind(3, rays)
-      .bind(4, std::span<const std::byte>(poseBlob(image.T_object_scanner)))
-      .bind(5, std::span<const std::byte>(rangeBlob(image.range)))
+      .bind(2, std::int64_t{image.station.stand})
+      .bindOptional(3, image.station.position)
+      .bind(4, name(image.poseKnownBy))
+      .bind(5, rays)
+      .bind(6, std::span<const std::byte>(poseBlob(image.T_table_scanner)))
+      .bind(7, std::span<const std::byte>(rangeBlob(image.range)))
       .run();
   return number;
 }
@@ -165,43 +185,44 @@ void SessionStore::addEvent(const std::string& what, std::int64_t step) {
   database_.prepare("INSERT INTO event(what, step) VALUES(?, ?)").bind(1, std::string_view(what)).bind(2, step).run();
 }
 
-void SessionStore::addViews(const HistoryEntry& entry, const std::vector<OutlinedView>& views, const char* status) {
+void SessionStore::addViews(const HistoryEntry& entry) {
   Statement insert =
       database_.prepare("INSERT INTO view(step, place, scan, status, pose, record, plan) VALUES(?, ?, ?, ?, ?, ?, ?)");
   Statement record = database_.prepare("INSERT INTO record(step, scan, data) VALUES(?, ?, ?)");
-  for (std::size_t i = 0; i < views.size(); ++i) {
-    const OutlinedView& view = views[i];
+  const std::vector<OutlinedScan>& scans = entry.outline->scans;
+  for (std::size_t i = 0; i < scans.size(); ++i) {
+    const OutlinedScan& scan = scans[i];
     insert.bind(1, entry.step)
         .bind(2, static_cast<std::int64_t>(i))
-        .bind(3, view.scan)
-        .bind(4, std::string_view(status))
-        .bind(5, std::span<const std::byte>(poseBlob(view.T_object_scanner)))
-        .bind(6, view.recordStep)
-        .bind(7, view.planStep)
+        .bind(3, scan.scan)
+        .bind(4, name(scan.status))
+        .bind(5, std::span<const std::byte>(poseBlob(scan.T_object_scanner)))
+        .bind(6, scan.recordStep)
+        .bind(7, scan.planStep)
         .run();
-    if (view.recordStep == entry.step)
-      record.bind(1, entry.step).bind(2, view.scan).bind(3, std::string_view(recordText(*view.record))).run();
+    if (scan.recordStep == entry.step)
+      record.bind(1, entry.step).bind(2, scan.scan).bind(3, std::string_view(recordText(scan))).run();
   }
 }
 
 void SessionStore::addStep(const HistoryEntry& entry, std::int64_t parent, const std::optional<PackedPlan>& newPlan) {
   const StateOutline& outline = *entry.outline;
-  const std::size_t views = outline.views.size() + outline.rejected.size() + outline.leftOut.size();
-  database_.prepare("INSERT INTO step VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?, ?)")
+  database_.prepare("INSERT INTO step VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)")
       .bind(1, entry.step)
       .bind(2, parent)
       .bind(3, kindOf(entry.command))
       .bind(4, std::string_view(commandText(entry.command)))
       .bind(5, std::string_view(settingsText(outline.settings)))
-      .bind(6, std::int64_t{outline.chosenPosition})
-      .bind(7, name(outline.termination))
-      .bind(8, static_cast<std::int64_t>(views))
-      .bind(9, outline.modelStep)
-      .bind(10, std::string_view(hashText(entry.hash)))
+      .bind(6, name(outline.mode))
+      .bind(7, std::string_view(standsText(outline.stands)))
+      .bindOptional(8, outline.chosenPosition)
+      .bind(9, name(outline.termination))
+      .bind(10, static_cast<std::int64_t>(outline.scans.size()))
+      .bind(11, outline.modelStep)
+      .bind(12, outline.planStep)
+      .bind(13, std::string_view(hashText(entry.hash)))
       .run();
-  addViews(entry, outline.views, "in");
-  addViews(entry, outline.rejected, "rejected");
-  addViews(entry, outline.leftOut, "left out");
+  addViews(entry);
   if (newPlan)
     database_.prepare("INSERT OR REPLACE INTO plan VALUES(?, ?, ?)")
         .bind(1, entry.step)

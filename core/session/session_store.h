@@ -7,19 +7,12 @@
 #include <string>
 #include <vector>
 
-#include "acquisition/history.h"
 #include "integration/model.h"
 #include "planning/plan.h"
 #include "session/database.h"
+#include "session/stored_history.h"
 
 namespace vantage {
-
-/// The history that a file tells, as far as it is readable.
-struct StoredHistory {
-  std::vector<HistoryEntry> entries;
-  std::size_t cursor = 0;
-  std::vector<std::string> losses;  ///< one sentence for everything that is not
-};
 
 /// A plan as it lies in the file: see planText and planBlob.
 struct PackedPlan {
@@ -58,6 +51,8 @@ class SessionStore {
   [[nodiscard]] std::int64_t scanCount();
   [[nodiscard]] std::vector<std::int64_t> scanNumbers();
   [[nodiscard]] bool scanUsed(std::int64_t number);
+  /// Where the last scan was taken; nothing without scans.
+  [[nodiscard]] std::optional<Station> lastStation();
   /// A scan and the number of its ray grid; 0 for the profile's, which stays unset.
   [[nodiscard]] std::pair<RangeImage, std::int64_t> scan(std::int64_t number);
   [[nodiscard]] RayGrid rays(std::int64_t id);
@@ -77,7 +72,7 @@ class SessionStore {
   void addModel(std::int64_t step, const std::vector<std::byte>& blob);
 
  private:
-  void addViews(const HistoryEntry& entry, const std::vector<OutlinedView>& views, const char* status);
+  void addViews(const HistoryEntry& entry);
   void addEvent(const std::string& what, std::int64_t step);
   void thinModels(std::int64_t newest);
 

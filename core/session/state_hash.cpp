@@ -81,23 +81,37 @@ void addRegistration(ContentHash& hash, const RegistrationResult& r) {
   hash.add(r.iterations);
 }
 
+void addStation(ContentHash& hash, const Station& station) {
+  hash.add(station.stand);
+  hash.add(station.position.has_value());
+  hash.add(station.position.value_or(0));
+}
+
 void addImage(ContentHash& hash, const RangeImage& image) {
-  hash.add(image.position);
-  addPose(hash, image.T_object_scanner);
+  addStation(hash, image.station);
+  hash.add(image.poseKnownBy);
+  addPose(hash, image.T_table_scanner);
   hash.add(image.range);
 }
 
-void addView(ContentHash& hash, const View& view, const ViewRecord& record) {
-  hash.add(record.scan);
-  addPose(hash, view.T_object_scanner);
-  if (view.image) addImage(hash, *view.image);
+void addScan(ContentHash& hash, const KeptScan& scan) {
+  const ScanRecord& record = scan.record;
+  hash.add(scan.number);
+  hash.add(scan.status);
+  addPose(hash, scan.view.T_object_scanner);
+  if (scan.view.image) addImage(hash, *scan.view.image);
   addRegistration(hash, record.registration);
   hash.add(record.newArea);
   hash.add(record.overlapArea);
   hash.add(record.predicted.has_value());
   if (record.predicted) addScore(hash, *record.predicted);
-  hash.add(record.plan != nullptr);
-  if (record.plan) addPlan(hash, *record.plan);
+  hash.add(record.planAfter != nullptr);
+  if (record.planAfter) addPlan(hash, *record.planAfter);
+}
+
+void addStand(ContentHash& hash, const Stand& stand) {
+  hash.add(stand.T_object_table.has_value());
+  if (stand.T_object_table) addPose(hash, *stand.T_object_table);
 }
 
 void addModel(ContentHash& hash, const Model& model) {
@@ -113,16 +127,18 @@ void addModel(ContentHash& hash, const Model& model) {
 std::uint64_t stateHash(const AcquisitionState& state) {
   ContentHash hash;
   addSettings(hash, state.settings);
-  for (std::size_t i = 0; i < state.views.size(); ++i) addView(hash, state.views[i], state.records[i]);
-  for (const LeftOutView& v : state.leftOut) addView(hash, v.view, v.record);
-  for (const RejectedScan& scan : state.rejected) {
-    hash.add(scan.scan);
-    if (scan.image) addImage(hash, *scan.image);
-    addRegistration(hash, scan.registration);
+  hash.add(state.mode);
+  hash.add(static_cast<std::uint64_t>(state.stands.size()));
+  for (const Stand& stand : state.stands) addStand(hash, stand);
+  for (const KeptScan& scan : state.scans) addScan(hash, scan);
+  hash.add(state.plan != nullptr);
+  if (state.plan) {
+    addPlan(hash, *state.plan);
+    addPatches(hash, *state.plan);
   }
-  if (const auto plan = currentPlan(state)) addPatches(hash, *plan);
   if (state.model) addModel(hash, *state.model);
-  hash.add(state.chosenPosition);
+  hash.add(state.chosenPosition.has_value());
+  hash.add(state.chosenPosition.value_or(0));
   hash.add(state.termination);
   return hash.value();
 }

@@ -1,3 +1,5 @@
+#include "session/stored_history.h"
+
 #include <algorithm>
 #include <charconv>
 #include <set>
@@ -6,7 +8,6 @@
 #include "base/errors.h"
 #include "session/session_blobs.h"
 #include "session/session_json.h"
-#include "session/session_store.h"
 
 namespace vantage {
 namespace {
@@ -23,10 +24,9 @@ std::uint64_t hashFrom(const std::string& text) {
   return hash;
 }
 
-std::int64_t numberFrom(const std::string& text) {
-  std::int64_t number = 0;
-  std::from_chars(text.data(), text.data() + text.size(), number);
-  return number;
+// Numbers in a file may be anything.
+int bounded(std::int64_t number) {
+  return static_cast<int>(std::clamp<std::int64_t>(number, -1, 1'000'000));
 }
 
 // Reads the tables step, record and view, skipping what is damaged.
@@ -66,17 +66,22 @@ class HistoryReader {
   void lose(const std::string& sentence) { result_.losses.push_back(sentence); }
 
   void readSteps() {
-    forEach("step", "SELECT id, parent, kind, command, settings, chosen, termination, views, model, hash FROM step",
+    forEach("step",
+            "SELECT id, parent, kind, command, settings, mode, stands, chosen, termination, views, model, plan, hash "
+            "FROM step",
             [&](const Statement& row, const std::string& what) {
               auto outline = std::make_shared<StateOutline>();
               outline->settings = settingsFromText(row.text(4), what);
-              outline->chosenPosition = static_cast<int>(std::clamp<std::int64_t>(row.integer(5), -1, 1'000'000));
-              outline->termination = terminationFromName(row.text(6), what);
-              outline->modelStep = row.integer(8);
-              StepRow step{row.integer(1), row.integer(7), {}};
+              outline->mode = modeFromName(row.text(5), what);
+              outline->stands = standsFromText(row.text(6), what);
+              if (const auto chosen = row.optionalInteger(7)) outline->chosenPosition = bounded(*chosen);
+              outline->termination = terminationFromName(row.text(8), what);
+              outline->modelStep = row.integer(10);
+              outline->planStep = row.integer(11);
+              StepRow step{row.integer(1), row.integer(9), {}};
               step.entry.step = row.integer(0);
               step.entry.command = commandFromText(row.text(2), row.text(3), what);
-              step.entry.hash = hashFrom(row.text(9));
+              step.entry.hash = hashFrom(row.text(12));
               outlines_[step.entry.step] = std::move(outline);
               steps_[step.entry.step] = std::move(step);
             });
@@ -104,24 +109,29 @@ class HistoryReader {
   void readRecords() {
     forEach("record", "SELECT id, step, scan, data FROM record", [&](const Statement& row, const std::string& what) {
       records_[{row.integer(1), row.integer(2)}] =
-          std::make_shared<const ViewRecord>(recordFromText(row.text(3), what));
+          std::make_shared<const ScanRecord>(recordFromText(row.text(3), what));
     });
   }
 
   void readViews() {
     forEach(
-        "view", "SELECT id, step, scan, status, pose, record, plan FROM view ORDER BY step, place, id",
+        "view",
+        "SELECT v.id, v.step, v.scan, v.status, v.pose, v.record, v.plan, s.stand, s.position FROM view v LEFT JOIN "
+        "scan s ON s.id = v.scan ORDER BY v.step, v.place, v.id",
         [&](const Statement& row, const std::string& what) {
           const std::int64_t step = row.integer(1);
           if (!onPath_.contains(step)) return;
-          OutlinedView view{row.integer(2), poseFromBlob(row.blob(4), what), nullptr, row.integer(5), row.integer(6)};
-          const auto record = records_.find({view.recordStep, view.scan});
+          OutlinedScan scan;
+          scan.scan = row.integer(2);
+          scan.status = scanStatusFromName(row.text(3), what);
+          scan.T_object_scanner = poseFromBlob(row.blob(4), what);
+          scan.recordStep = row.integer(5);
+          scan.planStep = row.integer(6);
+          scan.station = stationOf(row, 7);
+          const auto record = records_.find({scan.recordStep, scan.scan});
           if (record == records_.end()) throw InvalidInput(what + " is damaged: it has no record");
-          view.record = record->second;
-          StateOutline& outline = *outlines_[step];
-          const std::string status = row.text(3);
-          auto& list = status == "in" ? outline.views : status == "rejected" ? outline.rejected : outline.leftOut;
-          list.push_back(std::move(view));
+          scan.record = record->second;
+          outlines_[step]->scans.push_back(std::move(scan));
           ++counts_[step];
         });
   }
@@ -140,7 +150,7 @@ class HistoryReader {
   StoredHistory result_;
   std::map<std::int64_t, StepRow> steps_;
   std::map<std::int64_t, std::shared_ptr<StateOutline>> outlines_;
-  std::map<std::pair<std::int64_t, std::int64_t>, std::shared_ptr<const ViewRecord>> records_;
+  std::map<std::pair<std::int64_t, std::int64_t>, std::shared_ptr<const ScanRecord>> records_;
   std::map<std::int64_t, std::int64_t> counts_;
   std::vector<std::int64_t> path_;
   std::set<std::int64_t> onPath_;
@@ -148,8 +158,14 @@ class HistoryReader {
 
 }  // namespace
 
-StoredHistory SessionStore::history() {
-  return HistoryReader(database_).read(numberFrom(meta("tip")), numberFrom(meta("cursor")));
+StoredHistory readHistory(Database& database, std::int64_t tip, std::int64_t cursor) {
+  return HistoryReader(database).read(tip, cursor);
+}
+
+Station stationOf(const Statement& row, int column) {
+  Station station{bounded(row.integer(column)), {}};
+  if (const auto position = row.optionalInteger(column + 1)) station.position = bounded(*position);
+  return station;
 }
 
 }  // namespace vantage

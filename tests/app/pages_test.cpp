@@ -138,10 +138,10 @@ TEST_P(Pages, NothingIsBlankClippedOrNameless) {
   desk.window().wizard().acquirePage().setAssisted(true);
   check(desk, "3_assisted");
   ASSERT_TRUE(desk.controller().now());
-  desk.window().views().examine((desk.controller().next().position + 20) % 90);
+  desk.window().views().examine((desk.controller().nextPosition().value() + 20) % 90);
   check(desk, "3_why_not");
   desk.controller().step();
-  ASSERT_EQ(desk.controller().now()->views.size(), 2U);
+  ASSERT_EQ(countScans(*desk.controller().now(), ScanStatus::In), 2U);
   ASSERT_EQ(desk.window().wizard().page().key().toStdString(), "review");
   check(desk, "4_review");
   desk.controller().showMoment(1);
@@ -158,7 +158,7 @@ TEST_P(Pages, NothingIsBlankClippedOrNamelessAfterALongSession) {
   desk.next();
   desk.controller().run();
   ASSERT_TRUE(desk.controller().now());
-  ASSERT_GT(desk.controller().now()->views.size(), 4U);
+  ASSERT_GT(countScans(*desk.controller().now(), ScanStatus::In), 4U);
   check(desk, "4_review_finished");
   desk.window().views().examine(20);
   check(desk, "4_why_at_the_end");

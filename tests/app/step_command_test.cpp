@@ -21,18 +21,18 @@ TEST(StepCommand, AddsTheScansOfAnOperatorUntilTheModelIsThere) {
   const auto state = [&] { return Session::open(path, SessionAccess::Read).state(); };
 
   for (int i = 0; i < 3; ++i) {
-    const NextScan next = nextScan(*state());
-    ASSERT_GE(next.position, 0);
+    const std::optional<int> next = nextPosition(*state());
+    ASSERT_TRUE(next);
     const std::string range = folder.file("scan" + std::to_string(i) + ".ply");
-    writeRangeFile(scanner.scan(next.position, Progress()), range);
+    writeRangeFile(scanner.scan(*next, Progress()), range);
     testing::ChildProgram step(
-        {VANTAGE_CLI, "step", path, "--range", range, "--position", std::to_string(next.position), "--threads", "1"},
+        {VANTAGE_CLI, "step", path, "--range", range, "--position", std::to_string(*next), "--threads", "1"},
         folder.file("log"));
     ASSERT_EQ(step.wait(), 0);
   }
-  EXPECT_EQ(state()->views.size(), 3U);
+  EXPECT_EQ(countScans(*state(), ScanStatus::In), 3U);
   EXPECT_EQ(state()->termination, Termination::MaxViews);
-  EXPECT_TRUE(state()->records[2].predicted);
+  EXPECT_TRUE(state()->scans[2].record.predicted);
   EXPECT_GT(state()->model->mesh.triangles.size(), 500U);
 }
 

@@ -184,7 +184,7 @@ TEST(Wizard, GoingBackLosesNothing) {
   me.click("next");
   me.click("next");
   EXPECT_EQ(me.window().wizard().page().key(), "acquire");
-  EXPECT_EQ(me.controller().now()->views.size(), 1U);
+  EXPECT_EQ(countScans(*me.controller().now(), ScanStatus::In), 1U);
 }
 
 // Where the next test acquires until it is killed: it starts itself once more with this set.
@@ -196,7 +196,7 @@ void runUntilKilled(const QString& folder) {
   me.click("next");
   me.click("next");
   QObject::connect(&me.controller(), &SessionController::stateChanged, [&] {
-    std::printf("views %d\n", static_cast<int>(me.controller().now()->views.size()));
+    std::printf("views %d\n", static_cast<int>(countScans(*me.controller().now(), ScanStatus::In)));
     std::fflush(stdout);
   });
   me.click("run");
@@ -229,7 +229,7 @@ TEST(Wizard, ReopensAtTheSamePageWithEveryScanAfterBeingKilled) {
   ASSERT_TRUE(me.waitUntilIdle());
   ASSERT_TRUE(me.controller().hasSession());
   EXPECT_EQ(me.window().wizard().page().key(), "acquire");
-  EXPECT_GE(me.controller().now()->views.size(), 2U);
+  EXPECT_GE(countScans(*me.controller().now(), ScanStatus::In), 2U);
 }
 
 }  // namespace

@@ -21,7 +21,8 @@ TEST(WindowWording, FindingsReadAsOnTheCommandLine) {
 TEST(WindowWording, CommandsReadAsOnTheCommandLine) {
   for (const Command& command :
        std::vector<Command>{ChangeSettings{}, AddScan{3, {}}, ImportScans{{1, 2}}, ChoosePosition{5}, LeaveOutView{4},
-                            TakeBackView{4}, Finish{Termination::Running}, Finish{Termination::MaxViews}, TakeOver{}})
+                            TakeBackView{4}, Finish{Termination::Running}, TakeOver{}, TurnObject{},
+                            PlaceStand{1, Pose::Identity()}, ChangeMode{Mode::Assisted}})
     EXPECT_EQ(commandText(command).toStdString(), describe(command));
 }
 
@@ -29,7 +30,7 @@ TEST(WindowWording, EveryCodeHasWords) {
   for (int i = 0; i < kEdgeReasons; ++i)
     EXPECT_FALSE(edgeReasonText(static_cast<EdgeReason>(i), PlanOutcome::Found).isEmpty());
   for (std::size_t i = 0; i < kEdgeClasses; ++i) EXPECT_FALSE(edgeClassText(static_cast<EdgeClass>(i)).isEmpty());
-  for (int i = 0; i <= static_cast<int>(Termination::Cancelled); ++i)
+  for (int i = 0; i <= static_cast<int>(kLastTermination); ++i)
     EXPECT_FALSE(terminationText(static_cast<Termination>(i)).isEmpty());
 }
 

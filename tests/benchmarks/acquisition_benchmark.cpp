@@ -6,8 +6,8 @@
 #include <map>
 #include <string>
 
-#include "acquisition/automatic_run.h"
-#include "acquisition/scan_source.h"
+#include "acquisition/acquisition.h"
+#include "acquisition/memory_journal.h"
 #include "io/mesh_reader.h"
 #include "report/report.h"
 #include "scanner/simulated_scanner.h"
@@ -32,28 +32,27 @@ void printTable(const AcquisitionState& state) {
   for (int phase = 0; phase < kPhases; ++phase) std::printf(" %12s", name(static_cast<Phase>(phase)).data());
   std::printf(" %9s\n", "sum");
   PhaseTimes total;
-  for (std::size_t v = 0; v < state.records.size(); ++v) {
-    const ViewRecord& record = state.records[v];
+  for (const KeptScan* scan : scansOf(state, ScanStatus::In)) {
+    const ScanRecord& record = scan->record;
     for (const auto& [phase, time] : record.seconds) total[phase] += time;
-    printRow("view " + std::to_string(v) + " at " + std::to_string(record.position), record.seconds);
+    printRow("scan " + std::to_string(scan->number) + " at " + std::to_string(scan->station().position.value_or(-1)),
+             record.seconds);
   }
   printRow("all", total);
 }
 
 void run(const std::string& object, const std::string& scanner) {
   const auto profile = std::make_shared<const ScannerProfile>(loadProfile(scanner));
-  const ScannerImages images = computeScannerImages(*profile);
-  AcquisitionSettings settings;
-  SimulatedScanner device(loadMesh(object, {}, {}).mesh, profile, {settings.seed, settings.ideal});
-  AcquisitionState start;
-  start.profile = profile;
-  start.settings = settings;
-  const AcquisitionState state = acquire(start, countedScans(device), images, {}, Progress().withThreads(2));
+  const auto images = std::make_shared<const ScannerImages>(computeScannerImages(*profile));
+  const auto device = std::make_shared<SimulatedScanner>(loadMesh(object, {}, {}).mesh, profile, SimulationOptions{});
+  MemoryJournal journal(profile, {});
+  Acquisition(journal, {device, images}).runUntilTheEnd(Progress().withThreads(2));
+  const AcquisitionState state = *journal.state();
   std::size_t scanned = 0;
-  for (const ViewRecord& record : state.records) scanned += record.triangles;
+  for (const KeptScan& scan : state.scans) scanned += scan.record.triangles;
   std::printf("%zu views of %zu triangles in all, a model of %zu triangles, %s; peak memory %.0f MB\n",
-              state.views.size(), scanned, state.model->mesh.triangles.size(), name(state.termination).data(),
-              peakMemory());
+              countScans(state, ScanStatus::In), scanned, state.model->mesh.triangles.size(),
+              name(state.termination).data(), peakMemory());
   printTable(state);
 }
 

@@ -50,7 +50,7 @@ View readRecordedView(const std::string& path, double breakdownAngle) {
   if (!in) throw std::runtime_error("cannot read " + path);
 
   auto image = std::make_shared<RangeImage>();
-  image->T_object_scanner = poseOf(head);
+  image->T_table_scanner = poseOf(head);
   std::vector<RangingRay> rays;
   for (int r = 0; r < head.rows; ++r) {
     for (int c = 0; c < head.columns; ++c) {
@@ -66,7 +66,7 @@ View readRecordedView(const std::string& path, double breakdownAngle) {
   options.breakdownAngle = breakdownAngle;
   View view;
   view.mesh = std::make_shared<const ViewMesh>(triangulate(*image, options));
-  view.T_object_scanner = image->T_object_scanner;
+  view.T_object_scanner = image->T_table_scanner;
   view.image = std::move(image);
   return view;
 }

@@ -6,12 +6,13 @@
 #include <memory>
 #include <vector>
 
-#include "acquisition/automatic_run.h"
+#include "acquisition/acquisition.h"
 #include "core/session/large_session.h"
 #include "io/mesh_reader.h"
 #include "positional_space/scanner_images_cache.h"
 #include "scanner/simulated_scanner.h"
 #include "session/session.h"
+#include "support/scenes/journal_pen.h"
 #include "support/test_data.h"
 
 // What keeping a session costs beside the acquisition that it records, in one run; and how long a session of 120 views
@@ -54,6 +55,34 @@ struct Writing {
   [[nodiscard]] double shareOfLoop() const { return session() / (all - preparing - session()); }
 };
 
+// A session that is looked at with a clock.
+class TimedJournal final : public Journal {
+ public:
+  TimedJournal(Session& session, Writing& times) : session_(session), times_(times) {}
+
+  [[nodiscard]] const History& history() const override { return session_.history(); }
+  [[nodiscard]] std::shared_ptr<const AcquisitionState> state() const override { return session_.state(); }
+  [[nodiscard]] std::int64_t scanCount() const override { return session_.scanCount(); }
+  [[nodiscard]] std::shared_ptr<const RangeImage> scan(std::int64_t number) const override {
+    return session_.scan(number);
+  }
+  [[nodiscard]] std::optional<NumberedScan> unusedScan() const override { return session_.unusedScan(); }
+  [[nodiscard]] std::optional<Station> lastStation() const override { return session_.lastStation(); }
+  NumberedScan keepScan(RangeImage image) override {
+    return timed(times_.keepingScans, [&] { return session_.keepScan(std::move(image)); });
+  }
+
+ private:
+  void record(const Command& command, AcquisitionState state) override {
+    timed(times_.recording, [&] { testing::JournalPen::record(session_, command, std::move(state)); });
+  }
+  void undo() override {}
+  void redo() override {}
+
+  Session& session_;
+  Writing& times_;
+};
+
 Writing acquireOnce(const std::string& folder) {
   const std::string resources = (testing::sourceFolder() / "resources").string();
   Writing t;
@@ -62,20 +91,15 @@ Writing acquireOnce(const std::string& folder) {
   const ProfileSource source = readProfileSource(resources + "/scanners/rotating_stripe.json");
   const auto profile = std::make_shared<const ScannerProfile>(parseProfile(source));
   const Mesh object = loadMesh(resources + "/objects/mug.ply").mesh;
-  const ScannerImages images = loadScannerImages(*profile, folder, progress);
+  const auto images = std::make_shared<const ScannerImages>(loadScannerImages(*profile, folder, progress));
   t.preparing = secondsSince(begin);
   auto session = std::make_unique<Session>(timed(t.creating, [&] {
     return Session::create(folder + "/mug.vantage", {source, {}, &object, profile});
   }));
-  SimulatedScanner scanner(object, session->profile(), {});
-  const ScanSource scans = [&](int position, const Progress& scanning) {
-    RangeImage image = scanner.scan(position, scanning);
-    return timed(t.keepingScans, [&] { return session->keepScan(std::move(image)); });
-  };
-  const StepObserver observer = [&](const Command& command, const AcquisitionState& state) {
-    timed(t.recording, [&] { session->record(command, state); });
-  };
-  t.views = acquire(*session->state(), scans, images, observer, progress).views.size();
+  const auto scanner = std::make_shared<SimulatedScanner>(object, session->profile(), SimulationOptions{});
+  TimedJournal journal(*session, t);
+  Acquisition(journal, {scanner, images}).runUntilTheEnd(progress);
+  t.views = countScans(*session->state(), ScanStatus::In);
   timed(t.closing, [&] { session.reset(); });
   t.all = secondsSince(begin);
   return t;

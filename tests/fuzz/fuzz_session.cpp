@@ -3,13 +3,12 @@
 #include <algorithm>
 #include <array>
 
-#include "acquisition/automatic_run.h"
+#include "acquisition/acquisition.h"
 #include "base/errors.h"
 #include "fuzz/fuzz_target.h"
 #include "fuzz/scratch_file.h"
 #include "scanner/simulated_scanner.h"
 #include "session/database.h"
-#include "session/kept_scans.h"
 #include "session/session.h"
 #include "session/session_schema.h"
 #include "support/meshes.h"
@@ -40,11 +39,9 @@ std::string goodSession() {
     AcquisitionSettings settings;
     settings.maxViews = 2;
     Session session = Session::create(file.path(), {profileSource(), settings, &ball});
-    SimulatedScanner scanner(ball, session.profile(), {1, true});
-    const ScannerImages images = computeScannerImages(*session.profile());
-    static_cast<void>(
-        acquire(*session.state(), keptScans(scanner, session), images,
-                [&](const Command& command, const AcquisitionState& state) { session.record(command, state); }, {}));
+    const auto scanner = std::make_shared<SimulatedScanner>(ball, session.profile(), SimulationOptions{1, true});
+    const auto images = std::make_shared<const ScannerImages>(computeScannerImages(*session.profile()));
+    Acquisition(session, {scanner, images}).runUntilTheEnd();
   }
   Database(file.path(), Database::Mode::Write).run("PRAGMA journal_mode=DELETE");
   return file.read();

@@ -2,7 +2,9 @@
 
 #include <stdexcept>
 
-#include "acquisition/automatic_run.h"
+#include "acquisition/acquisition.h"
+#include "acquisition/memory_journal.h"
+#include "acquisition/steps.h"
 #include "io/mesh_reader.h"
 #include "scanner/simulated_scanner.h"
 
@@ -10,26 +12,29 @@ namespace vantage::testing {
 namespace {
 
 std::shared_ptr<const PlanImages> imagesOf(const AcquisitionState& state, const ScannerImages& scannerImages) {
-  const auto plan = state.records.back().plan;
-  return std::make_shared<const PlanImages>(
-      computePlanImages({*state.profile, scannerImages, *state.model, state.views, state.records.back().position},
-                        *plan->voids, stepOptionsFor(state).planner, Progress()));
+  const auto plan = state.plan;
+  const std::vector<View> views = viewsOf(state);
+  return std::make_shared<const PlanImages>(computePlanImages(
+      {*state.profile, scannerImages, *state.model, views, state.scans.back().station().position.value()}, *plan->voids,
+      stepOptionsFor(state).planner, Progress()));
 }
 
 std::vector<SharedSnapshot> acquireMug() {
-  AcquisitionState state;
-  state.profile =
+  const auto profile =
       std::make_shared<const ScannerProfile>(loadProfile(VANTAGE_SOURCE_DIR "/tests/screenshots/coarse_scanner.json"));
-  state.settings.maxViews = 12;
-  const auto images = std::make_shared<const ScannerImages>(computeScannerImages(*state.profile));
-  SimulatedScanner scanner(loadMesh(VANTAGE_SOURCE_DIR "/resources/objects/mug.ply").mesh, state.profile, {1, false});
+  AcquisitionSettings settings;
+  settings.maxViews = 12;
+  const auto images = std::make_shared<const ScannerImages>(computeScannerImages(*profile));
+  const auto scanner = std::make_shared<SimulatedScanner>(
+      loadMesh(VANTAGE_SOURCE_DIR "/resources/objects/mug.ply").mesh, profile, SimulationOptions{1, false});
   std::vector<SharedSnapshot> snapshots;
-  const auto observe = [&](const Command&, const AcquisitionState& after) {
+  const auto observe = [&](const Command&, const AcquisitionState&, const AcquisitionState& after) {
     const auto kept = std::make_shared<const AcquisitionState>(after);
     snapshots.push_back(makeSnapshot(kept, images, imagesOf(*kept, *images)));
   };
-  const AcquisitionState last = acquire(state, countedScans(scanner), *images, observe, Progress().withThreads(2));
-  if (last.termination != Termination::Finished) throw std::runtime_error("the mug was not finished in 12 views");
+  MemoryJournal journal(profile, settings);
+  const Termination end = Acquisition(journal, {scanner, images}, observe).runUntilTheEnd(Progress().withThreads(2));
+  if (end != Termination::Finished) throw std::runtime_error("the mug was not finished in 12 views");
   return snapshots;
 }
 

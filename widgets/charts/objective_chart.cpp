@@ -273,9 +273,12 @@ ObjectiveChartData objectiveChartData(const ViewSnapshot& snapshot) {
     data.mostOverlap = std::max(data.mostOverlap, position.overlapArea);
     data.positions.push_back(position);
   }
-  for (const View& view : snapshot.state->views)
-    if (view.image->position >= 0 && view.image->position < static_cast<int>(data.positions.size()))
-      data.positions[static_cast<std::size_t>(view.image->position)].taken = true;
+  for (const View& view : snapshot.views) {
+    const std::optional<int> position = view.image->station.position;
+    const bool here = view.image->station.stand == snapshot.state->stand() && position &&
+                      *position < static_cast<int>(data.positions.size());
+    if (here) data.positions[static_cast<std::size_t>(*position)].taken = true;
+  }
   data.leastOverlap = plan.leastOverlap;
   data.terminationThreshold = plan.terminationThreshold;
   data.current = snapshot.current();

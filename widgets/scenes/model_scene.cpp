@@ -79,9 +79,12 @@ KeyLegend stateLegend(const Plan& plan) {
 KeyLegend viewLegend(const std::vector<View>& views) {
   constexpr std::size_t kMostEntries = 16;
   KeyLegend legend{Text::tr("Surface by view"), {}};
-  for (std::size_t v = 0; v < std::min(views.size(), kMostEntries); ++v)
-    legend.entries.push_back(
-        {toColour(viewColour(v)), Text::tr("view %1, position %2").arg(v + 1).arg(views[v].image->position)});
+  for (std::size_t v = 0; v < std::min(views.size(), kMostEntries); ++v) {
+    const std::optional<int> position = views[v].image->station.position;
+    legend.entries.push_back({toColour(viewColour(v)), position
+                                                           ? Text::tr("view %1, position %2").arg(v + 1).arg(*position)
+                                                           : Text::tr("view %1").arg(v + 1)});
+  }
   if (views.size() > kMostEntries)
     legend.entries.push_back({Qt::transparent, Text::tr("and %1 more").arg(views.size() - kMostEntries)});
   return legend;
@@ -137,7 +140,7 @@ void ModelScene::highlight(const std::vector<std::uint32_t>& patches) {
 }
 
 void ModelScene::update() {
-  model_.set(geometry_, options_.colouring, snapshot_ && snapshot_->state ? snapshot_->state->views.size() : 0);
+  model_.set(geometry_, options_.colouring, snapshot_ ? snapshot_->views.size() : 0);
   model_.setVisible(options_.surface, options_.boundary);
   voids_.set(snapshot_ ? snapshot_->plan : nullptr, options_.voidColouring);
   voids_.setVisible(options_.voidPatches);
@@ -157,8 +160,7 @@ void ModelScene::updateRays() {
   };
   const std::optional<int> asked = examined_ ? examined_ : snapshot_->proposed();
   turntable_.mark(azimuth(snapshot_->current()), azimuth(snapshot_->proposed()));
-  if (options_.currentRays && !snapshot_->state->views.empty())
-    currentRays_.showView(*profile, snapshot_->state->views.back());
+  if (options_.currentRays && !snapshot_->views.empty()) currentRays_.showView(*profile, snapshot_->views.back());
   if (asked && (options_.proposedRays || examined_))
     proposedRays_.showPosition(*profile, *asked, geometry_ ? geometry_->caster.get() : nullptr);
 }
@@ -186,12 +188,13 @@ Overlay ModelScene::overlay() const {
   Overlay overlay;
   if (!snapshot_ || !snapshot_->state) return overlay;
   const auto& state = *snapshot_->state;
-  if (state.views.empty()) {
+  const std::vector<View>& views = snapshot_->views;
+  if (views.empty()) {
     overlay.notes << Text::tr("No view taken yet");
     return overlay;
   }
-  overlay.notes << (state.views.size() == 1 ? Text::tr("Model after 1 view")
-                                            : Text::tr("Model after %1 views").arg(state.views.size()));
+  overlay.notes << (views.size() == 1 ? Text::tr("Model after 1 view")
+                                      : Text::tr("Model after %1 views").arg(views.size()));
   if (state.model)
     overlay.notes << Text::tr("%1 triangles").arg(shortNumber(static_cast<double>(state.model->mesh.triangles.size())));
   if (snapshot_->plan && snapshot_->plan->voids)
@@ -206,14 +209,14 @@ Overlay ModelScene::overlay() const {
   if (options_.surface && options_.colouring == ModelColouring::Confidence)
     overlay.legends.emplace_back(
         ScaleLegend{Text::tr("Confidence"), Text::tr("cos of the angle"), 0.0, 1.0, ColourMap::Cividis});
-  if (options_.surface && options_.colouring == ModelColouring::View)
-    overlay.legends.emplace_back(viewLegend(state.views));
+  if (options_.surface && options_.colouring == ModelColouring::View) overlay.legends.emplace_back(viewLegend(views));
   if (options_.surface && options_.colouring == ModelColouring::Age)
     overlay.legends.emplace_back(ScaleLegend{Text::tr("Surface by age"), Text::tr("view"), 1.0,
-                                             static_cast<double>(state.views.size()), ColourMap::Viridis});
+                                             static_cast<double>(views.size()), ColourMap::Viridis});
   KeyLegend rays{Text::tr("Ranging rays"), {}};
-  if (options_.currentRays && snapshot_->current())
-    rays.entries.push_back({theme_->current, Text::tr("last view, position %1").arg(*snapshot_->current())});
+  const std::optional<int> last = views.back().image->station.position;
+  if (options_.currentRays && last)
+    rays.entries.push_back({theme_->current, Text::tr("last view, position %1").arg(*last)});
   if (examined_)
     rays.entries.push_back({theme_->examined, Text::tr("examined position %1").arg(*examined_)});
   else if (options_.proposedRays && snapshot_->proposed())

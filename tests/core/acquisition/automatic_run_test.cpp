@@ -1,7 +1,8 @@
-#include "acquisition/automatic_run.h"
+#include "acquisition/acquisition.h"
 
 #include <gtest/gtest.h>
 
+#include "acquisition/memory_journal.h"
 #include "base/errors.h"
 #include "geometry/measures.h"
 #include "report/evaluation.h"
@@ -25,8 +26,8 @@ TEST(AutomaticRun, StopsByItselfWithTheScannableSurfaceCovered) {
   const AcquisitionSettings settings;
   const AcquisitionState state = acquireSmallObject(settings, 2);
   EXPECT_EQ(state.termination, Termination::Finished);
-  EXPECT_GE(state.views.size(), 3U);
-  EXPECT_LE(state.views.size(), 16U);
+  EXPECT_GE(countScans(state, ScanStatus::In), 3U);
+  EXPECT_LE(countScans(state, ScanStatus::In), 16U);
   EXPECT_EQ(measure(state.model->mesh).nonManifoldEdges, 0U);
   EvaluationOptions options;
   options.tolerance = 1.0;
@@ -54,8 +55,8 @@ TEST(AutomaticRun, NeverMovesTheFirstView) {
   settings.maxViews = 3;
   settings.firstView = 5;
   const AcquisitionState state = acquireSmallObject(settings, 2);
-  EXPECT_EQ(state.records.front().position, 5);
-  EXPECT_EQ(state.views.front().T_object_scanner.matrix(), state.profile->workspace.poses[5].matrix());
+  EXPECT_EQ(state.scans.front().station().position, 5);
+  EXPECT_EQ(state.scans.front().view.T_object_scanner.matrix(), state.profile->workspace.poses[5].matrix());
 }
 
 TEST(AutomaticRun, StopsAtTheMostViewsAllowed) {
@@ -63,36 +64,32 @@ TEST(AutomaticRun, StopsAtTheMostViewsAllowed) {
   settings.maxViews = 2;
   const AcquisitionState state = acquireSmallObject(settings, 2);
   EXPECT_EQ(state.termination, Termination::MaxViews);
-  EXPECT_EQ(state.views.size(), 2U);
+  EXPECT_EQ(countScans(state, ScanStatus::In), 2U);
 }
 
 TEST(AutomaticRun, UniformTakesEquallySpacedPositions) {
   AcquisitionSettings settings;
   settings.strategy = parseStrategy("uniform:8");
   const AcquisitionState state = acquireSmallObject(settings, 2);
-  ASSERT_EQ(state.records.size(), 8U);
-  for (std::size_t i = 0; i < 8; ++i) EXPECT_EQ(state.records[i].position, static_cast<int>(3 * i));
+  ASSERT_EQ(state.scans.size(), 8U);
+  for (std::size_t i = 0; i < 8; ++i) EXPECT_EQ(state.scans[i].station().position, static_cast<int>(3 * i));
   EXPECT_EQ(state.termination, Termination::Finished);
 }
 
 TEST(AutomaticRun, ObserverHearsOfEveryStepAndCancellingLeavesTheLastOneWhole) {
   std::stop_source stop;
-  AcquisitionState last;
-  const auto profile = testing::smallProfile();
-  const ScannerImages images = computeScannerImages(*profile);
-  SimulatedScanner scanner(testing::smallObject(), profile, {});
-  AcquisitionState state;
-  state.profile = profile;
-  const StepObserver observer = [&](const Command& /*command*/, const AcquisitionState& s) {
-    last = s;
-    if (s.views.size() == 2) stop.request_stop();
-  };
-  EXPECT_THROW(
-      static_cast<void>(acquire(state, countedScans(scanner), images, observer, Progress({}, stop.get_token(), 2))),
-      Cancelled);
-  EXPECT_EQ(last.views.size(), 2U);
-  EXPECT_EQ(last.records.size(), 2U);
-  ASSERT_TRUE(last.model);
+  std::size_t heard = 0;
+  MemoryJournal journal(testing::smallProfile(), {});
+  Acquisition acquisition(
+      journal, testing::smallTools(testing::smallProfile()),
+      [&](const Command& /*command*/, const AcquisitionState& before, const AcquisitionState& after) {
+        EXPECT_EQ(after.scans.size(), before.scans.size() + 1);
+        if (++heard == 2) stop.request_stop();
+      });
+  EXPECT_THROW(acquisition.runUntilTheEnd(Progress({}, stop.get_token(), 2)), Cancelled);
+  EXPECT_EQ(heard, 2U);
+  EXPECT_EQ(countScans(*journal.state(), ScanStatus::In), 2U);
+  ASSERT_TRUE(journal.state()->model);
 }
 
 TEST(Strategy, RefusesWhatItDoesNotKnow) {

@@ -72,21 +72,20 @@ TEST(History, RefusesACursorThatIsNoEntry) {
 
 TEST(StateHash, TellsStatesApartAndIgnoresTimes) {
   AcquisitionState a;
-  a.views.resize(1);
-  a.records.resize(1);
+  a.scans.resize(1);
   AcquisitionState b = a;
-  b.records[0].seconds[Phase::Scan] = 3.0;
+  b.scans[0].record.seconds[Phase::Scan] = 3.0;
   EXPECT_EQ(stateHash(a), stateHash(b));
-  b.records[0].newArea = 1e-300;
+  b.scans[0].record.newArea = 1e-300;
   EXPECT_NE(stateHash(a), stateHash(b));
   b = a;
-  b.views[0].T_object_scanner.translation().z() = -0.0;  // other bytes
+  b.scans[0].view.T_object_scanner.translation().z() = -0.0;  // other bytes
   EXPECT_NE(stateHash(a), stateHash(b));
   b = a;
-  b.records[0].registration.finding = {VerdictReason::Inliers, 0.5, {}};
+  b.scans[0].record.registration.finding = {VerdictReason::Inliers, 0.5, {}};
   AcquisitionState c = b;
   EXPECT_NE(stateHash(a), stateHash(b));
-  c.records[0].registration.finding.value = 0.25;
+  c.scans[0].record.registration.finding.value = 0.25;
   EXPECT_NE(stateHash(b), stateHash(c));
   b = a;
   b.chosenPosition = 0;

@@ -30,7 +30,7 @@ TEST(PhaseTimer, MeetsEveryPhaseInAStepOfAnAcquisition) {
   AcquisitionSettings settings;
   settings.maxViews = 2;
   const AcquisitionState state = testing::acquireSmallObject(settings, 1);
-  EXPECT_EQ(state.records.front().seconds.size(), static_cast<std::size_t>(kPhases));
+  EXPECT_EQ(state.scans.front().record.seconds.size(), static_cast<std::size_t>(kPhases));
 }
 
 }  // namespace

@@ -23,7 +23,7 @@ View lookDown(const Window& window, const Height& height, const Pose& T_object_s
     }
   }
   image.rays = std::make_shared<RayGrid>(window.rows, window.columns, std::move(rays), std::vector<Vec3>(), 0);
-  image.T_object_scanner = T_object_scanner;
+  image.T_table_scanner = T_object_scanner;
   View view;
   view.mesh = std::make_shared<const ViewMesh>(triangulate(image, TriangulationOptions()));
   view.image = std::make_shared<const RangeImage>(std::move(image));
@@ -48,7 +48,7 @@ std::vector<View> scanFrom(const Mesh& object, const std::vector<Direction>& dir
     View view;
     view.image = std::make_shared<const RangeImage>(scanner.scan(i, Progress()));
     view.mesh = std::make_shared<const ViewMesh>(triangulate(*view.image, TriangulationOptions()));
-    view.T_object_scanner = view.image->T_object_scanner;
+    view.T_object_scanner = view.image->T_table_scanner;
     views.push_back(std::move(view));
   }
   return views;

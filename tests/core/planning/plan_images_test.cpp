@@ -32,7 +32,8 @@ struct TwoViews {
   [[nodiscard]] PlanImages planImages(double tolerance = 0.0) const {
     PlannerOptions options = stepOptionsFor(state).planner;
     options.tolerance = tolerance;
-    return computePlanImages({*state.profile, images, *state.model, state.views, 5}, *plan.voids, options, {});
+    const std::vector<View> views = viewsOf(state);
+    return computePlanImages({*state.profile, images, *state.model, views, 5}, *plan.voids, options, {});
   }
 };
 

@@ -19,7 +19,7 @@ std::vector<View> readScans(const std::filesystem::path& conf) {
   std::vector<View> views;
   for (const ScanPose& pose : readScanPoses(conf.string(), 1000.0)) {
     auto image = std::make_shared<RangeImage>(readRangeFile((conf.parent_path() / pose.file).string()));
-    image->T_object_scanner = pose.T_object_scanner;
+    image->T_table_scanner = pose.T_object_scanner;
     View view;
     view.mesh = std::make_shared<const ViewMesh>(triangulate(*image, TriangulationOptions()));
     view.image = std::move(image);

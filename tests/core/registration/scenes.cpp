@@ -45,7 +45,7 @@ namespace {
 View viewOf(RangeImage image) {
   View view;
   view.mesh = std::make_shared<const ViewMesh>(triangulate(image, TriangulationOptions()));
-  view.T_object_scanner = image.T_object_scanner;
+  view.T_object_scanner = image.T_table_scanner;
   view.image = std::make_shared<const RangeImage>(std::move(image));
   return view;
 }
@@ -62,8 +62,8 @@ View scanFrom(const Mesh& object, const std::shared_ptr<const ScannerProfile>& p
 View scanVase(const std::shared_ptr<const ScannerProfile>& profile, int position, unsigned seed) {
   RangeImage image;
   image.rays = profile->rays;
-  image.position = position;
-  image.T_object_scanner = profile->workspace.poses[static_cast<std::size_t>(position)];
+  image.station.position = position;
+  image.T_table_scanner = profile->workspace.poses[static_cast<std::size_t>(position)];
   image.range.assign(image.rays->size(), kNoSample);
   for (std::size_t i = 0; i < image.range.size(); ++i) {
     // The rays are horizontal: each meets a circle about z.

@@ -42,14 +42,17 @@ AcquisitionState twoViews() {
   plan->outlook[0].reason = plan->outlook[2].reason = EdgeReason::OutOfReach;
   plan->outlook[1].reason = EdgeReason::ReceiverBlocked;
   for (const double area : {1200.0, 345.0}) {
-    ViewRecord record;
-    record.position = static_cast<int>(area) % 7;
-    record.newArea = area;
-    record.seconds = {{Phase::Scan, 0.25}, {Phase::Choose, 1.5}};
-    state.records.push_back(record);
-    state.views.emplace_back();
+    auto image = std::make_shared<RangeImage>();
+    image->station.position = static_cast<int>(area) % 7;
+    KeptScan scan;
+    scan.number = static_cast<std::int64_t>(state.scans.size());
+    scan.view.image = image;
+    scan.record.newArea = area;
+    scan.record.seconds = {{Phase::Scan, 0.25}, {Phase::Choose, 1.5}};
+    state.scans.push_back(scan);
   }
-  state.records.back().plan = plan;
+  state.scans.back().record.planAfter = plan;
+  state.plan = plan;
   state.settings.object = "a<b>&.ply";
   state.termination = Termination::Finished;
   return state;

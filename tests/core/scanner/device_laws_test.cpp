@@ -121,14 +121,15 @@ TEST_P(EveryRig, TwoCapturesAtTheSamePlaceDifferByNoiseOnly) {
 TEST_P(EveryRig, ACaptureIsInScannerCoordinatesAndSaysNothingOfItsPlace) {
   static_cast<void>(rig_.positioner->moveTo(3, {}));
   const RangeImage image = rig_.sensor->capture({});
-  EXPECT_EQ(image.position, RangeImage().position);
-  EXPECT_EQ(image.T_object_scanner.matrix(), Pose::Identity().matrix());
+  EXPECT_FALSE(image.station.position);
+  EXPECT_EQ(image.T_table_scanner.matrix(), Pose::Identity().matrix());
 }
 
 TEST_P(EveryRig, AScanCarriesThePoseThatWasReached) {
   const RangeImage image = scanFrom(rig_, 3, {});
-  EXPECT_EQ(image.position, 3);
-  EXPECT_EQ(image.T_object_scanner.matrix(), rig_.positioner->where()->T_table_scanner.matrix());
+  EXPECT_EQ(image.station.position, 3);
+  EXPECT_EQ(image.poseKnownBy, rig_.positioner->where()->knownBy);
+  EXPECT_EQ(image.T_table_scanner.matrix(), rig_.positioner->where()->T_table_scanner.matrix());
   EXPECT_GT(image.sampleCount(), 100U);
 }
 

@@ -48,13 +48,13 @@ TEST(RangeImage, ValidateRefusesWhatIsNone) {
 
 TEST(RangeImage, ValidateRefusesAPoseThatIsNoRigidMotion) {
   RangeImage image = flatImage();
-  image.T_object_scanner.linear() *= 2.0;
+  image.T_table_scanner.linear() *= 2.0;
   EXPECT_THROW(validate(image), InvalidInput);
   image = flatImage();
-  image.T_object_scanner.linear()(0, 0) = -1.0;  // a mirror
+  image.T_table_scanner.linear()(0, 0) = -1.0;  // a mirror
   EXPECT_THROW(validate(image), InvalidInput);
   image = flatImage();
-  image.T_object_scanner.translation().x() = std::numeric_limits<double>::quiet_NaN();
+  image.T_table_scanner.translation().x() = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THROW(validate(image), InvalidInput);
 }
 

@@ -51,8 +51,8 @@ TEST(SimulatedSensor, MeasuresTheDistanceToAWall) {
   const RangeImage image = scanOnce(wallAt(50), parallelProfile());
   EXPECT_EQ(image.sampleCount(), image.range.size());
   for (const float r : image.range) EXPECT_FLOAT_EQ(r, 250.0F);
-  EXPECT_EQ(image.position, 0);
-  EXPECT_TRUE(image.T_object_scanner.isApprox(Pose::Identity()));
+  EXPECT_EQ(image.station.position, 0);
+  EXPECT_TRUE(image.T_table_scanner.isApprox(Pose::Identity()));
 }
 
 // The mesh of a sphere lies inside of it by at most r (1 - cos(pi / 2 rings)): 7e-4 mm here.
@@ -175,8 +175,8 @@ TEST(SimulatedSensor, LooksFromWhereTheTableReallyIs) {
   const Rig rig = testing::simulation(makeSphere(20.0, 100, centre), shared);
   static_cast<void>(scanFrom(rig, 0, {}));
   const RangeImage image = scanFrom(rig, 1, {});
-  EXPECT_TRUE(image.T_object_scanner.isApprox(profile.workspace.poses[1]));
-  const Pose truth = SimulatedTable(shared, {}).mechanicalError(1) * image.T_object_scanner;
+  EXPECT_TRUE(image.T_table_scanner.isApprox(profile.workspace.poses[1]));
+  const Pose truth = SimulatedTable(shared, {}).mechanicalError(1) * image.T_table_scanner;
   ASSERT_GT(image.sampleCount(), 500U);
   for (std::size_t i = 0; i < image.range.size(); ++i)
     if (image.valid(i)) {

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "support/meshes.h"
+#include "support/scenes/journal_pen.h"
 
 namespace vantage::testing {
 namespace {
@@ -46,14 +47,12 @@ void writeLargeSession(const std::string& path, int views) {
   state.model = anyModel();
   for (int i = 0; i < views; ++i) {
     const NumberedScan scan = session.keepScan(wavyWall(rays, i));
-    View view;
-    view.image = scan.image;
-    ViewRecord record;
-    record.scan = scan.number;
-    record.samples = rays->size();
-    state.views.push_back(std::move(view));
-    state.records.push_back(std::move(record));
-    session.record(AddScan{scan.number, {}}, state);
+    KeptScan kept;
+    kept.number = scan.number;
+    kept.view.image = scan.image;
+    kept.record.samples = rays->size();
+    state.scans.push_back(std::move(kept));
+    JournalPen::record(session, AddScan{scan.number, {}}, state);
   }
 }
 

@@ -20,7 +20,7 @@ class Walk {
   explicit Walk(const std::string& path)
       : path_(path),
         session_(testing::createSmallSession(path, {})),
-        images_(computeScannerImages(*session_.profile())) {
+        images_(std::make_shared<const ScannerImages>(computeScannerImages(*session_.profile()))) {
     expected_.push_back(stateHash(*session_.state()));
   }
 
@@ -44,7 +44,8 @@ class Walk {
 
  private:
   void move(int by) {
-    by < 0 ? session_.undo() : session_.redo();
+    Acquisition acquisition(session_);
+    by < 0 ? acquisition.undo() : acquisition.redo();
     at_ += static_cast<std::size_t>(by);
   }
 
@@ -64,36 +65,39 @@ class Walk {
 
   void command(std::uint64_t dice) {
     const auto state = session_.state();
-    if (dice < 655 && state->views.size() < 4) return add(*state);
-    if (dice < 665 && state->views.size() > 1) return leaveOut(*state);
-    if (dice < 675 && !state->leftOut.empty()) return apply(TakeBackView{state->leftOut[0].record.scan});
-    if (dice < 850) return apply(ChoosePosition{static_cast<int>(random_.below(24))});
-    apply(Finish{random_.below(2) == 0 ? Termination::Finished : Termination::Running});
+    if (dice < 655 && countScans(*state, ScanStatus::In) < 4) return add(*state);
+    if (dice < 665 && countScans(*state, ScanStatus::In) > 1) return leaveOut(*state);
+    if (dice < 675 && countScans(*state, ScanStatus::LeftOut) > 0)
+      return apply(TakeBackView{scansOf(*state, ScanStatus::LeftOut)[0]->number});
+    if (dice < 800) return apply(ChoosePosition{static_cast<int>(random_.below(24))});
+    if (dice < 860) return apply(ChangeMode{state->mode == Mode::Assisted ? Mode::Automatic : Mode::Assisted});
+    const Finish end{random_.below(2) == 0 ? Termination::EndedByOperator : Termination::Running};
+    if (!mayDo(*state, end)) apply(end);
   }
 
   void add(const AcquisitionState& state) {
-    const int position = state.views.empty() ? 0 : (state.views.back().image->position + 2) % 24;
+    const KeptScan* last = lastView(state);
+    const int position = last == nullptr ? 0 : (last->station().position.value() + 2) % 24;
     SimulatedScanner scanner(testing::smallObject(), session_.profile(), {}, static_cast<int>(session_.scanCount()));
     apply(AddScan{session_.keepScan(scanner.scan(position, Progress())).number, {}});
     ++added_;
   }
 
   void leaveOut(const AcquisitionState& state) {
-    apply(LeaveOutView{state.records[random_.below(state.records.size())].scan});
+    const auto views = scansOf(state, ScanStatus::In);
+    apply(LeaveOutView{views[random_.below(views.size())]->number});
     ++leftOut_;
   }
 
   void apply(const Command& command) {
-    const CommandInput input{[&](std::int64_t number) { return session_.scan(number); }, &images_};
-    AcquisitionState after = applyCommand(*session_.state(), command, input, {});
+    Acquisition(session_, {nullptr, images_}).carryOut(command);
     expected_.resize(++at_);
-    expected_.push_back(stateHash(after));
-    session_.record(command, std::move(after));
+    expected_.push_back(stateHash(*session_.state()));
   }
 
   std::string path_;
   Session session_;
-  ScannerImages images_;
+  std::shared_ptr<const ScannerImages> images_;
   Random random_{7};
   std::vector<std::uint64_t> expected_;
   std::size_t at_ = 0;

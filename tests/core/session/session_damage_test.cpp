@@ -7,7 +7,6 @@
 #include "base/errors.h"
 #include "base/random.h"
 #include "session/database.h"
-#include "session/kept_scans.h"
 #include "session/session.h"
 #include "session/session_blobs.h"
 #include "session/state_hash.h"
@@ -18,7 +17,6 @@ namespace vantage {
 namespace {
 
 using testing::createSmallSession;
-using testing::recordIn;
 using testing::runSmallSession;
 using testing::TemporaryFolder;
 
@@ -38,7 +36,7 @@ class SessionDamage : public ::testing::Test {
     AcquisitionSettings settings;
     settings.maxViews = 3;
     Session session = createSmallSession(path(), settings);
-    saved_ = runSmallSession(session, recordIn(session));
+    saved_ = runSmallSession(session);
   }
   [[nodiscard]] std::string path() const { return folder_.file("test.vantage"); }
   void change(const std::string& sql) const { Database(path(), Database::Mode::Write).run(sql); }
@@ -66,8 +64,8 @@ TEST_F(SessionDamage, AScanThatIsLostIsNamedAndTheOthersAreThere) {
   change("UPDATE scan SET range = x'00112233' WHERE id = 1");
   const Session session = Session::open(path(), SessionAccess::Read);
   const auto state = session.state();
-  ASSERT_EQ(state->views.size(), 2U);
-  EXPECT_EQ(state->records[1].scan, 2);
+  ASSERT_EQ(countScans(*state, ScanStatus::In), 2U);
+  EXPECT_EQ(state->scans[1].number, 2);
   EXPECT_TRUE(state->model);
   EXPECT_TRUE(anyContains(session.losses(), "scan 1"));
 }
@@ -83,7 +81,7 @@ TEST_F(SessionDamage, IsCopiedBeforeAnythingIsWritten) {
   EXPECT_EQ(bytesOf(path() + ".damaged-1"), before);
   EXPECT_TRUE(anyContains(session.losses(), ".damaged-1"));
   session.setNote("page", "review");
-  EXPECT_EQ(session.state()->views.size(), 2U);
+  EXPECT_EQ(countScans(*session.state(), ScanStatus::In), 2U);
 }
 
 // Pages in the middle of the file are overwritten one at a time.
@@ -149,12 +147,12 @@ void writeVersion1(const std::string& path, const AcquisitionState& state) {
   database.prepare("INSERT INTO file VALUES('profile.json', ?)")
       .bind(1, std::string_view(testing::smallProfileSource().text))
       .run();
-  for (std::int64_t i = 0; i < static_cast<std::int64_t>(state.views.size()); ++i) {
-    const View& view = state.views[static_cast<std::size_t>(i)];
+  for (std::int64_t i = 0; i < static_cast<std::int64_t>(countScans(state, ScanStatus::In)); ++i) {
+    const View& view = state.scans[static_cast<std::size_t>(i)].view;
     database.prepare("INSERT INTO scan VALUES(?, ?, NULL, ?, ?)")
         .bind(1, i)
-        .bind(2, std::int64_t{view.image->position})
-        .bind(3, std::span<const std::byte>(poseBlob(view.image->T_object_scanner)))
+        .bind(2, std::int64_t{view.image->station.position.value()})
+        .bind(3, std::span<const std::byte>(poseBlob(view.image->T_table_scanner)))
         .bind(4, std::span<const std::byte>(rangeBlob(view.image->range)))
         .run();
     database.prepare("INSERT INTO view VALUES(?, ?, ?, 10, 20)")
@@ -171,12 +169,10 @@ TEST_F(SessionDamage, AFileOfTheFirstVersionIsBroughtUpToDateAndGoesOn) {
   writeVersion1(path(), two);
   EXPECT_EQ(modelBlob(*Session::open(path(), SessionAccess::Read).state()->model), modelBlob(*two.model));
   Session session = Session::open(path(), SessionAccess::Write);
-  ASSERT_EQ(session.state()->views.size(), 2U);
+  ASSERT_EQ(countScans(*session.state(), ScanStatus::In), 2U);
   EXPECT_EQ(session.state()->settings.maxViews, 3);
-  EXPECT_EQ(session.state()->records[0].samples, 10U);
-  SimulatedScanner scanner(testing::smallObject(), session.profile(), {}, 2);
-  const ScannerImages images = computeScannerImages(*session.profile());
-  static_cast<void>(acquire(*session.state(), keptScans(scanner, session), images, recordIn(session), {}));
+  EXPECT_EQ(session.state()->scans[0].record.samples, 10U);
+  runSmallSession(session);
   EXPECT_EQ(modelBlob(*session.state()->model), modelBlob(*saved_.model));
 }
 

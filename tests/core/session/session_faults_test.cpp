@@ -10,7 +10,6 @@
 #include "base/errors.h"
 #include "core/io/expect_error.h"
 #include "faulty_storage.h"
-#include "session/kept_scans.h"
 #include "session/session.h"
 #include "session/session_blobs.h"
 #include "session/state_hash.h"
@@ -25,7 +24,6 @@ namespace {
 
 using testing::createSmallSession;
 using testing::expectError;
-using testing::recordIn;
 using testing::runSmallSession;
 using testing::TemporaryFolder;
 
@@ -48,7 +46,7 @@ class SessionFaults : public ::testing::Test {
   void expectWholeAndGoOn(Session session) {
     const std::uint64_t hash = stateHash(*session.state());
     EXPECT_EQ(stateHash(*Session::open(path(), SessionAccess::Read).state()), hash);
-    static_cast<void>(runSmallSession(session, recordIn(session)));
+    static_cast<void>(runSmallSession(session));
     EXPECT_EQ(modelBlob(*session.state()->model), modelBlob(*undisturbed().model));
     EXPECT_EQ(session.state()->termination, undisturbed().termination);
   }
@@ -73,9 +71,8 @@ void acquireMeeting(Session& session, const Meet& meet) {
     const Meet& meet_;
     int scans_ = 0;
   };
-  Scanner scanner(session, meet);
-  const ScannerImages images = computeScannerImages(*session.profile());
-  static_cast<void>(acquire(*session.state(), keptScans(scanner, session), images, recordIn(session), {}));
+  const auto images = std::make_shared<const ScannerImages>(computeScannerImages(*session.profile()));
+  Acquisition(session, {std::make_shared<Scanner>(session, meet), images}).runUntilTheEnd();
 }
 
 TEST_F(SessionFaults, ADiskThatRunsFullAtAnyWriteLosesNothingThatWasReported) {
@@ -86,10 +83,8 @@ TEST_F(SessionFaults, ADiskThatRunsFullAtAnyWriteLosesNothingThatWasReported) {
     std::uint64_t reported = stateHash(*session.state());
     storage.fillAfter(writes);
     try {
-      static_cast<void>(runSmallSession(session, [&](const Command& command, const AcquisitionState& state) {
-        session.record(command, state);
-        reported = stateHash(state);
-      }));
+      static_cast<void>(runSmallSession(session, [&](const Command&, const AcquisitionState&,
+                                                     const AcquisitionState& state) { reported = stateHash(state); }));
     } catch (const IoError& e) {
       ++failures;
       EXPECT_NE(std::string(e.what()).find("disk is full"), std::string::npos) << e.what();
@@ -109,7 +104,7 @@ TEST_F(SessionFaults, ARecordedScanThatFoundNoRoomIsKeptWithItsRaysLater) {
   Session session = Session::create(path(), {std::nullopt, {}, nullptr});
   SimulatedScanner scanner(testing::smallObject(), testing::smallProfile(), {});
   RangeImage image = scanner.scan(0, Progress());
-  image.position = -1;
+  image.station.position.reset();
   storage.fillAfter(0);
   expectError<IoError>([&] { session.keepScan(image); }, {"disk is full"});
   storage.heal();
@@ -124,7 +119,7 @@ TEST_F(SessionFaults, AScannerThatFailsInTheMiddleOfAScanLeavesTheLastStepWhole)
   Session session = createSmallSession(path(), threeViews());
   expectError<DeviceError>([&] { acquireMeeting(session, [] { throw DeviceError("laser: no light"); }); },
                            {"no light"});
-  EXPECT_EQ(session.state()->views.size(), 1U);
+  EXPECT_EQ(countScans(*session.state(), ScanStatus::In), 1U);
   expectWholeAndGoOn(std::move(session));
 }
 
@@ -135,8 +130,8 @@ TEST_F(SessionFaults, AnInterruptionInTheMiddleOfAStepKeepsItsScan) {
         if (step == "integrate" && session.scanCount() == 2) throw std::bad_alloc();
       },
       {}, 1);
-  EXPECT_THROW(static_cast<void>(runSmallSession(session, recordIn(session), outOfMemory)), std::bad_alloc);
-  EXPECT_EQ(session.state()->views.size(), 1U);
+  EXPECT_THROW(static_cast<void>(runSmallSession(session, {}, outOfMemory)), std::bad_alloc);
+  EXPECT_EQ(countScans(*session.state(), ScanStatus::In), 1U);
   ASSERT_TRUE(session.unusedScan());
   EXPECT_EQ(session.unusedScan()->number, 1);
   expectWholeAndGoOn(std::move(session));
@@ -158,18 +153,20 @@ TEST_F(SessionFaults, AScanThatCannotBeRegisteredIsKeptAsRejected) {
     int scans_ = 0;
   };
   Session session = createSmallSession(path(), threeViews());
-  Swapped scanner(session.profile());
-  const ScannerImages images = computeScannerImages(*session.profile());
-  const AcquisitionState end = acquire(*session.state(), keptScans(scanner, session), images, recordIn(session), {});
+  const auto images = std::make_shared<const ScannerImages>(computeScannerImages(*session.profile()));
+  Acquisition acquisition(session, {std::make_shared<Swapped>(session.profile()), images});
+  EXPECT_EQ(acquisition.runUntilTheEnd(), Termination::RegistrationFailed);
+  const AcquisitionState end = *session.state();
+  const auto rejected = scansOf(end, ScanStatus::Rejected);
   EXPECT_EQ(end.termination, Termination::RegistrationFailed);
-  EXPECT_EQ(end.views.size(), 1U);
-  ASSERT_GE(end.rejected.size(), 1U);
-  EXPECT_NE(end.rejected[0].registration.finding.reason, VerdictReason::NotRegistered);
+  EXPECT_EQ(countScans(end, ScanStatus::In), 1U);
+  ASSERT_GE(rejected.size(), 1U);
+  EXPECT_NE(rejected[0]->record.registration.finding.reason, VerdictReason::NotRegistered);
   const Session read = Session::open(path(), SessionAccess::Read);
   EXPECT_EQ(stateHash(*read.state()), stateHash(end));
-  EXPECT_EQ(read.scanCount(), static_cast<std::int64_t>(1 + end.rejected.size()));
+  EXPECT_EQ(read.scanCount(), static_cast<std::int64_t>(1 + rejected.size()));
   // The way on: undo the rejected scans, and scan again with the right object in front of the scanner.
-  while (session.state()->rejected.size() > 0) session.undo();
+  while (countScans(*session.state(), ScanStatus::Rejected) > 0) acquisition.undo();
   EXPECT_EQ(session.state()->termination, Termination::Running);
 }
 
@@ -181,7 +178,7 @@ TEST_F(SessionFaults, AFileThatIsRemovedWhileItIsOpenIsWrittenElsewhere) {
   const std::string rescued = path() + ".rescued-1";
   std::filesystem::rename(rescued, path());
   Session found = Session::open(path(), SessionAccess::Read);
-  EXPECT_EQ(found.state()->views.size(), 1U);
+  EXPECT_EQ(countScans(*found.state(), ScanStatus::In), 1U);
   EXPECT_EQ(found.scanCount(), 2);
   session = std::move(found);
   expectWholeAndGoOn(Session::open(path(), SessionAccess::Write));
@@ -190,7 +187,7 @@ TEST_F(SessionFaults, AFileThatIsRemovedWhileItIsOpenIsWrittenElsewhere) {
 TEST_F(SessionFaults, AFolderThatCannotBeWrittenToSaysSoAndIsRead) {
   {
     Session session = createSmallSession(path(), threeViews());
-    static_cast<void>(runSmallSession(session, recordIn(session)));
+    static_cast<void>(runSmallSession(session));
   }
   const auto folder = std::filesystem::path(path()).parent_path();
   std::filesystem::permissions(folder, std::filesystem::perms(0555));
@@ -199,7 +196,7 @@ TEST_F(SessionFaults, AFolderThatCannotBeWrittenToSaysSoAndIsRead) {
   expectError<IoError>([&] { static_cast<void>(Session::open(path(), SessionAccess::Write)); }, {"cannot be written"});
   expectError<IoError>([&] { static_cast<void>(createSmallSession(folder / "new.vantage", {})); },
                        {"cannot be written"});
-  EXPECT_EQ(Session::open(path(), SessionAccess::Read).state()->views.size(), 3U);
+  EXPECT_EQ(countScans(*Session::open(path(), SessionAccess::Read).state(), ScanStatus::In), 3U);
   ASSERT_TRUE(!root || seteuid(0) == 0);
   std::filesystem::permissions(folder, std::filesystem::perms(0755));
 }
@@ -214,7 +211,7 @@ class StuckScanner final : public ScannerDevice {
       if (alive_) progress.checkpoint(0.5);
     }
     RangeImage image;
-    image.position = position;
+    image.station.position = position;
     return image;
   }
 
@@ -238,7 +235,7 @@ TEST(PatientScanner, WaitsForADeviceThatShowsProgress) {
     std::this_thread::sleep_for(std::chrono::milliseconds(600));
     *go = true;
   });
-  EXPECT_EQ(scanner.scan(7, {}).position, 7);
+  EXPECT_EQ(scanner.scan(7, {}).station.position, 7);
 }
 
 TEST(PatientScanner, IsCancelledEvenWhenTheDeviceDoesNotListen) {

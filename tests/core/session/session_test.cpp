@@ -20,7 +20,6 @@ namespace {
 
 using testing::createSmallSession;
 using testing::expectError;
-using testing::recordIn;
 using testing::runSmallSession;
 using testing::TemporaryFolder;
 
@@ -39,7 +38,7 @@ class SessionTest : public ::testing::Test {
 
   AcquisitionState saveTwoViews() {
     Session session = createSmallSession(path(), twoViews());
-    return runSmallSession(session, recordIn(session));
+    return runSmallSession(session);
   }
 
   TemporaryFolder folder_;
@@ -51,11 +50,11 @@ TEST_F(SessionTest, BringsBackWhatWasSavedBitByBit) {
   const auto loaded = session.state();
   EXPECT_EQ(loaded->settings.object, "small");
   EXPECT_EQ(loaded->settings.tolerance, 0.3);
-  ASSERT_EQ(loaded->views.size(), 2U);
-  EXPECT_EQ(loaded->views[1].T_object_scanner.matrix(), saved.views[1].T_object_scanner.matrix());
-  EXPECT_EQ(rangeBlob(loaded->views[1].image->range), rangeBlob(saved.views[1].image->range));
+  ASSERT_EQ(countScans(*loaded, ScanStatus::In), 2U);
+  EXPECT_EQ(loaded->scans[1].view.T_object_scanner.matrix(), saved.scans[1].view.T_object_scanner.matrix());
+  EXPECT_EQ(rangeBlob(loaded->scans[1].view.image->range), rangeBlob(saved.scans[1].view.image->range));
   EXPECT_EQ(modelBlob(*loaded->model), modelBlob(*saved.model));
-  EXPECT_EQ(planBlob(*currentPlan(*loaded)), planBlob(*currentPlan(saved)));
+  EXPECT_EQ(planBlob(*loaded->plan), planBlob(*saved.plan));
   EXPECT_EQ(makeReport(*loaded, "test")["views"], makeReport(saved, "test")["views"]);
   EXPECT_EQ(stateHash(*loaded), stateHash(saved));
   EXPECT_EQ(session.history().current().hash, stateHash(saved));
@@ -67,7 +66,7 @@ TEST_F(SessionTest, BringsBackEveryStateOfItsHistory) {
   const Session session = reopened();
   ASSERT_EQ(session.history().size(), 3U);
   for (std::size_t i = 0; i < 3; ++i) {
-    EXPECT_EQ(session.state(i)->views.size(), i);
+    EXPECT_EQ(countScans(*session.state(i), ScanStatus::In), i);
     EXPECT_EQ(stateHash(*session.state(i)), session.history().entry(i).hash) << i;
   }
   EXPECT_EQ(session.model(0), nullptr);
@@ -95,8 +94,8 @@ TEST_F(SessionTest, ReadsNothingThatNobodyHolds) {
   EXPECT_TRUE(scan.expired());
   const auto early = session.state(1);
   const auto late = session.state(2);
-  EXPECT_EQ(early->views[0].image, late->views[0].image);
-  EXPECT_EQ(early->views[0].mesh, late->views[0].mesh);
+  EXPECT_EQ(early->scans[0].view.image, late->scans[0].view.image);
+  EXPECT_EQ(early->scans[0].view.mesh, late->scans[0].view.mesh);
 }
 
 TEST_F(SessionTest, UndoAndRedoSurviveReopening) {
@@ -104,37 +103,33 @@ TEST_F(SessionTest, UndoAndRedoSurviveReopening) {
   std::uint64_t before = 0;
   {
     Session session = Session::open(path(), SessionAccess::Write);
-    session.undo();
+    Acquisition(session).undo();
     before = stateHash(*session.state());
   }
   Session session = Session::open(path(), SessionAccess::Write);
-  EXPECT_EQ(session.state()->views.size(), 1U);
+  EXPECT_EQ(countScans(*session.state(), ScanStatus::In), 1U);
   EXPECT_EQ(stateHash(*session.state()), before);
-  session.redo();
-  EXPECT_EQ(session.state()->views.size(), 2U);
+  Acquisition(session).redo();
+  EXPECT_EQ(countScans(*session.state(), ScanStatus::In), 2U);
   EXPECT_EQ(session.scanCount(), 2);
 }
 
 TEST_F(SessionTest, LeavesViewsOutAndTakesThemBack) {
   static_cast<void>(saveTwoViews());
   Session session = Session::open(path(), SessionAccess::Write);
-  const ScannerImages images = computeScannerImages(*session.profile());
-  const CommandInput input{[&](std::int64_t number) { return session.scan(number); }, &images};
-  const auto apply = [&](const Command& command) {
-    session.record(command, applyCommand(*session.state(), command, input, {}));
-  };
+  Acquisition acquisition(session, {nullptr, testing::smallTools(session.profile()).images});
   const auto whole = session.state();
-  apply(LeaveOutView{0});
-  EXPECT_EQ(session.state()->views.size(), 1U);
-  EXPECT_EQ(session.state()->records[0].scan, 1);
-  EXPECT_EQ(session.state()->leftOut.size(), 1U);
+  acquisition.carryOut(LeaveOutView{0});
+  EXPECT_EQ(countScans(*session.state(), ScanStatus::In), 1U);
+  EXPECT_EQ(scansOf(*session.state(), ScanStatus::In)[0]->number, 1);
+  EXPECT_EQ(countScans(*session.state(), ScanStatus::LeftOut), 1U);
   EXPECT_EQ(session.state()->termination, Termination::Running);
-  EXPECT_THROW(apply(LeaveOutView{1}), InvalidInput);
-  EXPECT_THROW(apply(LeaveOutView{7}), InvalidInput);
-  apply(TakeBackView{0});
-  EXPECT_EQ(session.state()->views.size(), 2U);
-  EXPECT_EQ(session.state()->records[0].scan, 0);
-  EXPECT_EQ(session.state()->views[0].T_object_scanner.matrix(), whole->views[0].T_object_scanner.matrix());
+  EXPECT_THROW(acquisition.carryOut(LeaveOutView{1}), InvalidInput);
+  EXPECT_THROW(acquisition.carryOut(LeaveOutView{7}), InvalidInput);
+  acquisition.carryOut(TakeBackView{0});
+  EXPECT_EQ(countScans(*session.state(), ScanStatus::In), 2U);
+  EXPECT_EQ(session.state()->scans[0].number, 0);
+  EXPECT_EQ(session.state()->scans[0].view.T_object_scanner.matrix(), whole->scans[0].view.T_object_scanner.matrix());
   const std::uint64_t hash = stateHash(*session.state());
   EXPECT_EQ(stateHash(*reopened().state()), hash);
 }
@@ -143,32 +138,30 @@ TEST_F(SessionTest, AChosenPositionIsScannedNext) {
   AcquisitionSettings settings = twoViews();
   settings.maxViews = 1;
   Session session = createSmallSession(path(), settings);
-  static_cast<void>(runSmallSession(session, recordIn(session)));
-  AcquisitionState state = *session.state();
-  for (const Command& command : {Command(ChoosePosition{3}), Command(Finish{Termination::Running})}) {
-    state = applyCommand(state, command, {}, {});
-    session.record(command, state);
-  }
-  const AcquisitionState end = runSmallSession(session, recordIn(session));
-  ASSERT_EQ(end.records.size(), 2U);
-  EXPECT_EQ(end.records[1].position, 3);
-  ASSERT_TRUE(end.records[1].predicted);
-  EXPECT_EQ(end.chosenPosition, -1);
+  static_cast<void>(runSmallSession(session));
+  EXPECT_EQ(session.state()->termination, Termination::MaxViews);
+  Acquisition(session).carryOut(ChoosePosition{3});
+  EXPECT_EQ(session.state()->termination, Termination::Running);
+  const AcquisitionState end = runSmallSession(session);
+  ASSERT_EQ(end.scans.size(), 2U);
+  EXPECT_EQ(end.scans[1].station().position, 3);
+  ASSERT_TRUE(end.scans[1].record.predicted);
+  EXPECT_FALSE(end.chosenPosition);
   EXPECT_THROW(static_cast<void>(applyCommand(end, ChoosePosition{24}, {}, {})), InvalidInput);
 }
 
 TEST_F(SessionTest, HasTheModelOfEveryStepInItsFileWhenItHasSettled) {
   Session session = createSmallSession(path(), twoViews());
   std::size_t steps = 0;
-  static_cast<void>(runSmallSession(session, [&](const Command& command, const AcquisitionState& state) {
-    session.record(command, state);
-    session.settle();
-    Database database(path(), Database::Mode::Read);
-    Statement row = database.prepare("SELECT data FROM model WHERE step = (SELECT max(model) FROM step)");
-    ASSERT_TRUE(row.step());
-    EXPECT_EQ(row.blob(0), modelBlob(*state.model));
-    ++steps;
-  }));
+  static_cast<void>(
+      runSmallSession(session, [&](const Command&, const AcquisitionState&, const AcquisitionState& state) {
+        session.settle();
+        Database database(path(), Database::Mode::Read);
+        Statement row = database.prepare("SELECT data FROM model WHERE step = (SELECT max(model) FROM step)");
+        ASSERT_TRUE(row.step());
+        EXPECT_EQ(row.blob(0), modelBlob(*state.model));
+        ++steps;
+      }));
   EXPECT_GE(steps, 2U);
 }
 
@@ -178,7 +171,7 @@ TEST_F(SessionTest, AScanThatWasNotYetAddedIsUsedBeforeAnotherIsTaken) {
   SimulatedScanner scanner(testing::smallObject(), session.profile(), {});
   EXPECT_EQ(session.keepScan(scanner.scan(0, Progress())).number, 0);
   ASSERT_TRUE(session.unusedScan());
-  static_cast<void>(runSmallSession(session, recordIn(session)));
+  static_cast<void>(runSmallSession(session));
   EXPECT_EQ(session.scanCount(), 2);
   EXPECT_FALSE(session.unusedScan());
   EXPECT_EQ(modelBlob(*session.state()->model), modelBlob(*whole.model));
@@ -188,7 +181,7 @@ TEST_F(SessionTest, AScanOfAPositionThatDoesNotExistIsRefused) {
   Session session = createSmallSession(path(), twoViews());
   SimulatedScanner scanner(testing::smallObject(), session.profile(), {});
   RangeImage image = scanner.scan(0, Progress());
-  image.position = 24;
+  image.station.position = 24;
   expectError<InvalidInput>([&] { session.keepScan(image); }, {"test.vantage", "position 24"});
   EXPECT_EQ(session.scanCount(), 0);
 }
@@ -223,7 +216,7 @@ TEST_F(SessionTest, KeepsTheRaysOfRecordedScansOnce) {
   SimulatedScanner scanner(testing::smallObject(), profile, {});
   Session session = Session::create(path(), {std::nullopt, {}, nullptr});
   RangeImage image = scanner.scan(3, Progress());
-  image.position = -1;
+  image.station.position.reset();
   static_cast<void>(session.keepScan(image));
   static_cast<void>(session.keepScan(image));
   const Session read = reopened();
@@ -247,7 +240,7 @@ TEST_F(SessionTest, ASecondWriterIsToldWhoHoldsItAndReadersAreNotHindered) {
                        {"test.vantage", "test_session", "process " + std::to_string(getpid())});
   expectError<IoError>([&] { static_cast<void>(createSmallSession(path(), twoViews())); }, {"test_session"});
   const Session reader = reopened();
-  static_cast<void>(runSmallSession(session, recordIn(session)));
+  static_cast<void>(runSmallSession(session));
   EXPECT_EQ(reader.history().size(), 1U);
   EXPECT_EQ(reader.scanCount(), 0);
   EXPECT_EQ(reopened().history().size(), 3U);

@@ -40,7 +40,7 @@ View scanView(const Mesh& object, const std::shared_ptr<const ScannerProfile>& p
   View view;
   view.image = std::make_shared<const RangeImage>(scanner.scan(position, {}));
   view.mesh = std::make_shared<const ViewMesh>(triangulate(*view.image, {}));
-  view.T_object_scanner = view.image->T_object_scanner;
+  view.T_object_scanner = view.image->T_table_scanner;
   return view;
 }
 

@@ -1,7 +1,7 @@
 #include "support/scenes/small_scene.h"
 
+#include "acquisition/memory_journal.h"
 #include "positional_space/scanner_images.h"
-#include "session/kept_scans.h"
 #include "support/meshes.h"
 
 namespace vantage::testing {
@@ -29,14 +29,20 @@ Mesh smallObject() {
                 makeSphere(14, 16, {30, 25, 30}));
 }
 
-AcquisitionState acquireSmallObject(const AcquisitionSettings& settings, int threads, const StepObserver& observer) {
+AcquisitionTools smallTools(const std::shared_ptr<const ScannerProfile>& profile, const AcquisitionSettings& settings,
+                            int scansBefore) {
+  const SimulationOptions simulation{settings.seed, settings.ideal};
+  return {std::make_shared<SimulatedScanner>(smallObject(), profile, simulation, scansBefore),
+          std::make_shared<const ScannerImages>(computeScannerImages(*profile))};
+}
+
+AcquisitionState acquireSmallObject(const AcquisitionSettings& settings, int threads,
+                                    const Acquisition::StepObserver& observer) {
   const auto profile = smallProfile();
-  const ScannerImages images = computeScannerImages(*profile);
-  SimulatedScanner scanner(smallObject(), profile, {settings.seed, settings.ideal});
-  AcquisitionState state;
-  state.profile = profile;
-  state.settings = settings;
-  return acquire(state, countedScans(scanner), images, observer, Progress().withThreads(threads));
+  MemoryJournal journal(profile, settings);
+  Acquisition acquisition(journal, smallTools(profile, settings), observer);
+  acquisition.runUntilTheEnd(Progress().withThreads(threads));
+  return *journal.state();
 }
 
 Session createSmallSession(const std::string& path, const AcquisitionSettings& settings) {
@@ -44,16 +50,13 @@ Session createSmallSession(const std::string& path, const AcquisitionSettings& s
   return Session::create(path, {smallProfileSource(), settings, &object});
 }
 
-StepObserver recordIn(Session& session) {
-  return [&session](const Command& command, const AcquisitionState& state) { session.record(command, state); };
-}
-
-AcquisitionState runSmallSession(Session& session, const StepObserver& observer, const Progress& progress) {
+AcquisitionState runSmallSession(Session& session, const Acquisition::StepObserver& observer,
+                                 const Progress& progress) {
   const AcquisitionSettings settings = session.state()->settings;
-  SimulatedScanner scanner(session.object(), session.profile(), {settings.seed, settings.ideal},
-                           static_cast<int>(session.scanCount()));
-  const ScannerImages images = computeScannerImages(*session.profile());
-  return acquire(*session.state(), keptScans(scanner, session), images, observer, progress);
+  const auto scans = static_cast<int>(session.scanCount());
+  Acquisition acquisition(session, smallTools(session.profile(), settings, scans), observer);
+  acquisition.runUntilTheEnd(progress);
+  return *session.state();
 }
 
 }  // namespace vantage::testing

@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "acquisition/automatic_run.h"
+#include "acquisition/acquisition.h"
 #include "scanner/simulated_scanner.h"
 #include "session/session.h"
 
@@ -15,17 +15,19 @@ namespace vantage::testing {
 /// Three spheres of different size grown together: nothing about it is symmetric.
 [[nodiscard]] Mesh smallObject();
 
-/// An automatic acquisition of the small object.
+/// The simulated scanner before the small object, and the images of the profile.
+[[nodiscard]] AcquisitionTools smallTools(const std::shared_ptr<const ScannerProfile>& profile,
+                                          const AcquisitionSettings& settings = {}, int scansBefore = 0);
+
+/// An automatic acquisition of the small object, kept in memory.
 [[nodiscard]] AcquisitionState acquireSmallObject(const AcquisitionSettings& settings, int threads,
-                                                  const StepObserver& observer = {});
+                                                  const Acquisition::StepObserver& observer = {});
 
 /// A new session before the small object.
 [[nodiscard]] Session createSmallSession(const std::string& path, const AcquisitionSettings& settings);
 
 /// Goes on with a session before the simulated scanner until it ends.
-AcquisitionState runSmallSession(Session& session, const StepObserver& observer, const Progress& progress = {});
-
-/// Records every step in the session.
-[[nodiscard]] StepObserver recordIn(Session& session);
+AcquisitionState runSmallSession(Session& session, const Acquisition::StepObserver& observer = {},
+                                 const Progress& progress = {});
 
 }  // namespace vantage::testing

@@ -1,0 +1,33 @@
+#include "moments.h"
+
+#include "wording.h"
+
+namespace vantage {
+namespace {
+
+Moment momentOf(const HistoryEntry& entry, bool undone) {
+  Moment moment;
+  moment.text = commandText(entry.command);
+  moment.views = static_cast<int>(countScans(*entry.outline, ScanStatus::In));
+  moment.undone = undone;
+  const auto* added = std::get_if<AddScan>(&entry.command);
+  if (added == nullptr) return moment;
+  for (const OutlinedScan& scan : entry.outline->scans) {
+    if (scan.scan != added->scan) continue;
+    moment.rejected = scan.status == ScanStatus::Rejected;
+    moment.position = scan.station.position;
+    moment.newArea = scan.record ? scan.record->newArea : 0.0;
+  }
+  return moment;
+}
+
+}  // namespace
+
+std::vector<Moment> momentsOf(const History& history) {
+  std::vector<Moment> moments;
+  moments.reserve(history.size());
+  for (std::size_t i = 0; i < history.size(); ++i) moments.push_back(momentOf(history.entry(i), i > history.cursor()));
+  return moments;
+}
+
+}  // namespace vantage

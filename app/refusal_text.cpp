@@ -1,0 +1,63 @@
+#include "refusal_text.h"
+
+#include <QCoreApplication>
+
+namespace vantage {
+namespace {
+
+struct Text {
+  Q_DECLARE_TR_FUNCTIONS(Refusal)
+};
+
+}  // namespace
+
+QString refusalText(const Refusal& refusal) {
+  const QString number = QString::number(refusal.number.value_or(0));
+  switch (refusal.reason) {
+    case RefusalReason::NoProfile:
+      return Text::tr("These are recorded scans without a scanner: there are no positions to scan from.");
+    case RefusalReason::NoSuchPosition:
+      return Text::tr("The scanner has no position %1.").arg(number);
+    case RefusalReason::NoSuchStand:
+      return Text::tr("The object has not stood in stand %1.").arg(number);
+    case RefusalReason::StandKnown:
+      return Text::tr("How the object stands in stand %1 is known already.").arg(number);
+    case RefusalReason::NotAView:
+      return Text::tr("Scan %1 is not part of the model.").arg(number);
+    case RefusalReason::OnlyView:
+      return Text::tr("Scan %1 is the only view of the model.").arg(number);
+    case RefusalReason::NotLeftOut:
+      return Text::tr("Scan %1 was not left out.").arg(number);
+    case RefusalReason::ScanUsed:
+      return Text::tr("Scan %1 was added before.").arg(number);
+    case RefusalReason::ScansBefore:
+      return Text::tr("Recorded scans are imported into an empty session only.");
+    case RefusalReason::NoScans:
+      return Text::tr("There is nothing to import.");
+    case RefusalReason::AlreadyEnded:
+      return Text::tr("The acquisition has ended.");
+    case RefusalReason::NotEnded:
+      return Text::tr("The acquisition has not ended.");
+    case RefusalReason::NothingLeft:
+      return Text::tr("Nothing is proposed any more. Choose a position yourself to go on.");
+    case RefusalReason::LimitReached:
+      return Text::tr("The greatest number of views, %1, is taken. Allow more to go on.").arg(number);
+    case RefusalReason::NothingScanned:
+      return Text::tr("Nothing has been scanned yet.");
+    case RefusalReason::MeshesMade:
+      return Text::tr("How scans become surfaces can only be changed before the first scan.");
+    case RefusalReason::NotReplayable:
+      return Text::tr("What an earlier version did cannot be done again.");
+    case RefusalReason::NothingToUndo:
+      return Text::tr("There is nothing to undo.");
+    case RefusalReason::NothingToRedo:
+      return Text::tr("There is nothing to redo.");
+    case RefusalReason::NothingToScanWith:
+      return Text::tr("There is nothing to scan with: no scanner, or no object for the simulated one.");
+    case RefusalReason::StandUnknown:
+      break;
+  }
+  return Text::tr("It must be said first how the object stands.");
+}
+
+}  // namespace vantage

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <QString>
+
+#include "acquisition/may_do.h"
+
+namespace vantage {
+
+/// Why something cannot be done, for the operator.
+[[nodiscard]] QString refusalText(const Refusal& refusal);
+
+}  // namespace vantage

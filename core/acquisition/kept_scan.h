@@ -1,0 +1,59 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string_view>
+
+#include "acquisition/phase_times.h"
+#include "planning/plan.h"
+#include "registration/icp.h"
+#include "scanner/triangulation.h"
+
+namespace vantage {
+
+/// What became of a scan.
+enum class ScanStatus : std::uint8_t {
+  In,        ///< a view of the model
+  Rejected,  ///< it did not find its place
+  LeftOut,   ///< a view that the operator took out of the model
+  Waiting,   ///< of a stand whose pose is not known yet
+};
+inline constexpr ScanStatus kLastScanStatus = ScanStatus::Waiting;
+/// "in", "rejected", "left_out", "waiting".
+[[nodiscard]] std::string_view name(ScanStatus status);
+
+/// What one scan brought.
+struct ScanRecord {
+  std::size_t samples = 0;
+  std::size_t triangles = 0;               ///< of the scan's own mesh
+  std::optional<PositionScore> predicted;  ///< by the plan that chose it
+  RegistrationResult registration;         ///< against the model before it; of the first view trivially good
+  double newArea = 0.0;                    ///< what the model's area grew by [mm^2]
+  double overlapArea = 0.0;                ///< of the scan's area what the model had already [mm^2]
+  std::shared_ptr<const Plan> planAfter;   ///< made when it was added; null for baselines and scans that are no views
+  PhaseTimes seconds;                      ///< for the report only
+};
+
+/// A scan of the session with what is known of it.
+struct KeptScan {
+  std::int64_t number = 0;  ///< in its session: commands name a scan by it
+  ScanStatus status = ScanStatus::In;
+  /// The image as it came and, for views and what was left out, its mesh and its place. Of other scans the mesh is
+  /// null and the place what was expected.
+  View view;
+  ScanRecord record;
+
+  [[nodiscard]] const Station& station() const { return view.image->station; }
+};
+
+/// A scan with its number in the session.
+struct NumberedScan {
+  std::int64_t number = 0;
+  std::shared_ptr<const RangeImage> image;
+};
+
+/// A scan that is about to become a view: triangulated, where it was reached.
+[[nodiscard]] KeptScan keepAsView(const NumberedScan& scan, const TriangulationOptions& options);
+
+}  // namespace vantage

@@ -1,0 +1,59 @@
+#include "acquisition/refusal_error.h"
+
+#include <string>
+
+#include "base/errors.h"
+
+namespace vantage {
+
+void throwRefusal(const Refusal& refusal) {
+  const std::string number = refusal.number ? std::to_string(*refusal.number) : std::string();
+  switch (refusal.reason) {
+    case RefusalReason::NoProfile:
+      throw InvalidInput("the session has no scanner profile, so no positions to scan from");
+    case RefusalReason::NoSuchPosition:
+      throw InvalidInput("position " + number + " does not exist in the workspace");
+    case RefusalReason::NoSuchStand:
+      throw InvalidInput("the object has not stood in stand " + number);
+    case RefusalReason::StandKnown:
+      throw InvalidInput("the pose of stand " + number + " is known already");
+    case RefusalReason::NotAView:
+      throw InvalidInput("scan " + number + " cannot be left out: it is not a view of the model");
+    case RefusalReason::OnlyView:
+      throw InvalidInput("scan " + number + " cannot be left out: it is the only view of the model");
+    case RefusalReason::NotLeftOut:
+      throw InvalidInput("scan " + number + " cannot be taken back: it was not left out");
+    case RefusalReason::ScanUsed:
+      throw InvalidInput("scan " + number + " cannot be added: it was added before");
+    case RefusalReason::ScansBefore:
+      throw InvalidInput("recorded scans can only be imported into an empty session");
+    case RefusalReason::NoScans:
+      throw InvalidInput("nothing to import: expected at least one range image");
+    case RefusalReason::AlreadyEnded:
+      throw InvalidInput("the acquisition has ended already");
+    case RefusalReason::NotEnded:
+      throw InvalidInput("the acquisition has not ended");
+    case RefusalReason::NothingLeft:
+      throw InvalidInput("there is nothing left to scan: no position would show more than is worth a scan");
+    case RefusalReason::LimitReached:
+      throw InvalidInput("the greatest number of views, " + number + ", was taken");
+    case RefusalReason::NothingScanned:
+      throw InvalidInput("there is no view of the object yet");
+    case RefusalReason::MeshesMade:
+      throw InvalidInput("how scans become meshes cannot be changed once there are scans");
+    case RefusalReason::NotReplayable:
+      throw InvalidInput("views that were taken over from an earlier version cannot be replayed");
+    case RefusalReason::NothingToUndo:
+      throw InvalidInput("there is nothing to undo");
+    case RefusalReason::NothingToRedo:
+      throw InvalidInput("there is nothing to redo");
+    case RefusalReason::NothingToScanWith:
+      throw InvalidInput(
+          "there is nothing to scan with: the session has no scanner, or no object that a simulated one could look at");
+    case RefusalReason::StandUnknown:
+      break;
+  }
+  throw InvalidInput("it is not known how the object stands in stand " + number + ": say that first");
+}
+
+}  // namespace vantage

@@ -1,0 +1,10 @@
+#pragma once
+
+#include "acquisition/may_do.h"
+
+namespace vantage {
+
+/// @throws InvalidInput that says why something cannot be done.
+[[noreturn]] void throwRefusal(const Refusal& refusal);
+
+}  // namespace vantage

@@ -1,0 +1,171 @@
+#include <gtest/gtest.h>
+
+#include "acquisition/acquisition.h"
+#include "acquisition/memory_journal.h"
+#include "acquisition/steps.h"
+#include "base/errors.h"
+#include "session/session.h"
+#include "session/session_blobs.h"
+#include "session/state_hash.h"
+#include "support/scenes/small_scene.h"
+#include "support/test_data.h"
+
+namespace vantage {
+namespace {
+
+// The small object lying on its side: turned by 90 degrees about x, back on the table and about its axis.
+Pose turnedOver() {
+  Pose T_object_table = Pose::Identity();
+  T_object_table.translate(Vec3(0.0, 75.0, 50.0));
+  T_object_table.rotate(Eigen::AngleAxisd(radians(90.0), Vec3::UnitX()));
+  return T_object_table;
+}
+
+// A scanner before the small object as it lies then.
+std::shared_ptr<ScannerDevice> scannerBefore(const std::shared_ptr<const ScannerProfile>& profile,
+                                             const Pose& T_object_table) {
+  return std::make_shared<SimulatedScanner>(transformed(testing::smallObject(), T_object_table.inverse()), profile,
+                                            SimulationOptions{1, true});
+}
+
+AcquisitionTools toolsOf(const std::shared_ptr<const ScannerProfile>& profile, const Pose& T_object_table) {
+  return {scannerBefore(profile, T_object_table),
+          std::make_shared<const ScannerImages>(computeScannerImages(*profile))};
+}
+
+AcquisitionSettings fewViews(int views) {
+  AcquisitionSettings settings;
+  settings.maxViews = views;
+  return settings;
+}
+
+// Two views of the object upright, then two of it lying, in a journal.
+void acquireTwoStands(Journal& journal, const std::shared_ptr<const ScannerProfile>& profile) {
+  Acquisition upright(journal, toolsOf(profile, Pose::Identity()));
+  upright.scanNext();
+  upright.scanNext();
+  upright.carryOut(TurnObject{turnedOver()});
+  Acquisition lying(journal, toolsOf(profile, turnedOver()));
+  lying.scanNext();
+  lying.scanNext();
+}
+
+TEST(Stands, ViewsOfTwoStandsMakeOneModel) {
+  const auto profile = testing::smallProfile();
+  MemoryJournal journal(profile, fewViews(8));
+  acquireTwoStands(journal, profile);
+  const AcquisitionState& state = *journal.state();
+  ASSERT_EQ(state.scans.size(), 4U);
+  EXPECT_EQ(countScans(state, ScanStatus::In), 4U);
+  EXPECT_EQ(state.scans[1].station().stand, 0);
+  EXPECT_EQ(state.scans[2].station().stand, 1);
+  // Every view is found where it was taken: the scanner moved without errors.
+  for (const KeptScan& scan : state.scans) {
+    const Pose truth = (scan.station().stand == 0 ? Pose::Identity() : turnedOver()) * scan.view.image->T_table_scanner;
+    EXPECT_LT((scan.view.T_object_scanner.translation() - truth.translation()).norm(), 1.0) << scan.number;
+  }
+}
+
+TEST(Stands, APlanIgnoresThePositionsThatWereTakenInAnotherStand) {
+  const auto profile = testing::smallProfile();
+  MemoryJournal journal(profile, fewViews(8));
+  Acquisition upright(journal, toolsOf(profile, Pose::Identity()));
+  upright.scanNext();
+  const int first = *journal.state()->scans.back().station().position;
+  EXPECT_EQ(journal.state()->plan->scores[static_cast<std::size_t>(first)].voidArea, 0.0);
+  upright.carryOut(TurnObject{turnedOver()});
+  ASSERT_TRUE(journal.state()->plan);
+  EXPECT_GT(journal.state()->plan->scores[static_cast<std::size_t>(first)].voidArea, 0.0);
+}
+
+TEST(Stands, FailuresOfOneStandDoNotEndAnother) {
+  AcquisitionState state;
+  state.profile = testing::smallProfile();
+  const auto failAt = [&](int stand) {
+    auto image = std::make_shared<RangeImage>();
+    image->station = {stand, 3};
+    KeptScan scan;
+    scan.number = static_cast<std::int64_t>(state.scans.size());
+    scan.status = ScanStatus::Rejected;
+    scan.view.image = image;
+    state.scans.push_back(scan);
+  };
+  state.model = std::make_shared<const Model>();
+  for (int i = 0; i < 4; ++i) failAt(0);
+  EXPECT_EQ(terminationOf(nextScan(state)), Termination::RegistrationFailed);
+  state.stands.push_back({turnedOver()});
+  EXPECT_TRUE(std::holds_alternative<PlanFirst>(nextScan(state)));
+  for (int i = 0; i < 4; ++i) failAt(1);
+  EXPECT_EQ(terminationOf(nextScan(state)), Termination::RegistrationFailed);
+}
+
+TEST(Stands, MovesOfTheTableTieOnlyViewsOfOneStand) {
+  const auto profile = testing::smallProfile();
+  MemoryJournal journal(profile, fewViews(8));
+  Acquisition(journal, toolsOf(profile, Pose::Identity())).scanNext();
+  AcquisitionState state = *journal.state();
+  state.stands.push_back({turnedOver()});
+  RangeImage image = *state.scans[0].view.image;
+  image.station = {1, 0};
+  // The first of its stand stands where the object was said to stand, whatever the views before were found at.
+  state.scans[0].view.T_object_scanner.translation().x() += 5.0;
+  EXPECT_TRUE(expectedPose(state, image).isApprox(turnedOver() * image.T_table_scanner));
+  image.station.stand = 0;
+  EXPECT_NEAR(expectedPose(state, image).translation().x() - image.T_table_scanner.translation().x(), 5.0, 1e-9);
+}
+
+TEST(Stands, ScansOfAStandThatNobodyKnowsWaitUntilItIsPlaced) {
+  const auto profile = testing::smallProfile();
+  MemoryJournal journal(profile, fewViews(8));
+  Acquisition upright(journal, toolsOf(profile, Pose::Identity()));
+  upright.scanNext();
+  upright.carryOut(TurnObject{});
+  EXPECT_FALSE(journal.state()->plan);
+  Acquisition lying(journal, toolsOf(profile, turnedOver()));
+  lying.scanNext();
+  EXPECT_EQ(journal.state()->scans[1].status, ScanStatus::Waiting);
+  EXPECT_EQ(lying.mayScan()->reason, RefusalReason::StandUnknown);
+  EXPECT_EQ(lying.runUntilTheEnd(), Termination::Running);
+  EXPECT_EQ(journal.state()->scans.size(), 2U);
+  lying.carryOut(ChoosePosition{3});
+  lying.scanNext();
+  EXPECT_EQ(countScans(*journal.state(), ScanStatus::Waiting), 2U);
+  lying.carryOut(PlaceStand{1, turnedOver()});
+  EXPECT_EQ(countScans(*journal.state(), ScanStatus::In), 3U);
+  EXPECT_TRUE(journal.state()->plan);
+  EXPECT_FALSE(lying.mayScan());
+  EXPECT_EQ(lying.mayDo(PlaceStand{1, turnedOver()})->reason, RefusalReason::StandKnown);
+  EXPECT_EQ(lying.mayDo(PlaceStand{2, turnedOver()})->reason, RefusalReason::NoSuchStand);
+}
+
+TEST(Stands, AreKeptUndoneAndReplayedToTheSameBytes) {
+  const testing::TemporaryFolder folder;
+  const std::string path = folder.file("stands.vantage");
+  std::uint64_t hash = 0;
+  {
+    Session session = testing::createSmallSession(path, fewViews(8));
+    acquireTwoStands(session, session.profile());
+    hash = stateHash(*session.state());
+    Acquisition acquisition(session);
+    for (int i = 0; i < 3; ++i) acquisition.undo();
+    EXPECT_EQ(session.state()->stands.size(), 1U);
+    EXPECT_EQ(countScans(*session.state(), ScanStatus::In), 2U);
+    for (int i = 0; i < 3; ++i) acquisition.redo();
+    EXPECT_EQ(stateHash(*session.state()), hash);
+  }
+  const Session read = Session::open(path, SessionAccess::Read);
+  EXPECT_TRUE(read.losses().empty());
+  EXPECT_EQ(stateHash(*read.state()), hash);
+  const ScannerImages images = computeScannerImages(*read.profile());
+  const CommandInput input{[&](std::int64_t number) { return read.scan(number); }, &images};
+  AcquisitionState state;
+  state.profile = read.profile();
+  for (std::size_t i = 0; i < read.history().size(); ++i) {
+    state = applyCommand(state, read.history().entry(i).command, input, {});
+    EXPECT_EQ(stateHash(state), read.history().entry(i).hash) << i;
+  }
+  EXPECT_EQ(modelBlob(*state.model), modelBlob(*read.state()->model));
+}
+
+}  // namespace
+}  // namespace vantage
