@@ -24,8 +24,8 @@ QString pageOf(const Session& session, const AcquisitionState& state) {
 
 }  // namespace
 
-SessionController::SessionController(JobRunner& jobs, std::string cacheFolder, QObject* parent)
-    : QObject(parent), jobs_(jobs), cacheFolder_(std::move(cacheFolder)) {}
+SessionController::SessionController(JobRunner& jobs, std::string cacheFolder, DeviceFactory devices, QObject* parent)
+    : QObject(parent), jobs_(jobs), cacheFolder_(std::move(cacheFolder)), devices_(std::move(devices)) {}
 
 // What runs refers to this.
 SessionController::~SessionController() {
@@ -83,8 +83,8 @@ void SessionController::startTestTurn() {
   const int second = (first + std::max(1, setUp_->profile->workspace.steps / 12)) % std::max(1, positions);
   start<TestTurn>(
       Activity::Testing, tr("Test turn"),
-      [setUp = setUp_, first, second](const Progress& p) {
-        return testTurn(*scannerOf(*setUp, 0), *setUp->profile, first, second, p);
+      [setUp = setUp_, factory = devices_, first, second](const Progress& p) {
+        return testTurn(factory.open(*setUp->devices, 0, p), *setUp->profile, first, second, p);
       },
       [this](TestTurn result) {
         testTurn_ = std::move(result);
@@ -174,12 +174,12 @@ void SessionController::scanInBackground(bool untilTheEnd) {
   };
   start<bool>(
       Activity::Running, untilTheEnd ? tr("Acquiring") : tr("Scanning"),
-      [this, session = session_, setUp = setUp_, mode = mode(), pause = pause_, begun,
+      [this, session = session_, setUp = setUp_, factory = devices_, mode = mode(), pause = pause_, begun,
        untilTheEnd](const Progress& progress) mutable {
         const bool isNew = !session;
         if (isNew) session = createSession(*setUp);
-        const std::shared_ptr<ScannerDevice> scanner = scannerOf(*setUp, session->scanCount());
-        Acquisition acquisition(*session, {scanner, setUp->images}, publisher(session));
+        const Rig rig = factory.open(*setUp->devices, session->scanCount(), progress);
+        Acquisition acquisition(*session, {rig, setUp->images}, publisher(session));
         if (isNew) {
           if (mode != acquisition.state()->mode) acquisition.carryOut(ChangeMode{mode});
           begun(session);
@@ -217,9 +217,16 @@ std::optional<Refusal> SessionController::refusalOfScan() const {
 
 QString SessionController::whyNotScan() const {
   if (const QString why = busyOr(refusalOfScan()); !why.isEmpty()) return why;
+  return whyNoDevices();
+}
+
+QString SessionController::whyNoDevices() const {
   if (!setUp_) return tr("Scanner and object are not read yet.");
-  if (!setUp_->object) return refusalText({RefusalReason::NothingToScanWith, {}});
-  return {};
+  if (setUp_->devices) return {};
+  if (!setUp_->notes.empty())
+    return tr("The simulated scanner has nothing to look at: %1").arg(QString::fromStdString(setUp_->notes));
+  if (session_) return tr("The scans of this session were recorded elsewhere: no scanner belongs to it.");
+  return tr("The simulated scanner needs an object: choose one.");
 }
 
 QString SessionController::whyNotRun() const {
@@ -229,8 +236,7 @@ QString SessionController::whyNotRun() const {
 
 QString SessionController::whyNotTestTurn() const {
   if (!idle()) return busyOr({});
-  if (!setUp_ || !setUp_->profile) return tr("Scanner and object are not read yet.");
-  if (!setUp_->object) return refusalText({RefusalReason::NothingToScanWith, {}});
+  if (const QString why = whyNoDevices(); !why.isEmpty()) return why;
   return setUp_->profile->workspace.steps > 1 ? QString() : tr("This scanner has no turntable.");
 }
 
@@ -295,7 +301,7 @@ void SessionController::change(const Command& command) {
   start<Publication>(
       Activity::Changing, tr("Changing the session"),
       [session = session_, setUp = setUp_, command](const Progress& progress) {
-        Acquisition(*session, {nullptr, setUp->images}).carryOut(command, progress);
+        Acquisition(*session, {{}, setUp->images}).carryOut(command, progress);
         return describe(*session);
       },
       [this](Publication publication) { publish(std::move(publication)); });

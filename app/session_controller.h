@@ -11,6 +11,7 @@
 
 #include "acquisition/acquisition.h"
 #include "acquisition/test_turn.h"
+#include "devices/device_factory.h"
 #include "job_runner.h"
 #include "moments.h"
 #include "planning/explanation.h"
@@ -33,7 +34,9 @@ class SessionController final : public QObject {
 
  public:
   /// @param cacheFolder where images of scanners are kept; empty for nowhere.
-  SessionController(JobRunner& jobs, std::string cacheFolder, QObject* parent = nullptr);
+  /// @param devices makes the devices of a set-up.
+  SessionController(JobRunner& jobs, std::string cacheFolder, DeviceFactory devices = DeviceFactory(),
+                    QObject* parent = nullptr);
   ~SessionController() override;
 
   [[nodiscard]] Activity activity() const { return activity_; }
@@ -63,6 +66,8 @@ class SessionController final : public QObject {
   [[nodiscard]] QString whyNotRun() const;
   [[nodiscard]] QString whyNotScan() const;
   [[nodiscard]] QString whyNotTestTurn() const;
+  /// Why the set-up has nothing to scan with, whatever else is under way.
+  [[nodiscard]] QString whyNoDevices() const;
   [[nodiscard]] QString whyNot(const Command& command) const;
   [[nodiscard]] QString whyNotUndo() const;
   [[nodiscard]] QString whyNotRedo() const;
@@ -158,6 +163,7 @@ class SessionController final : public QObject {
 
   JobRunner& jobs_;
   std::string cacheFolder_;
+  DeviceFactory devices_;
   SetUpChoice choice_;
   SharedSetUp setUp_;
   std::optional<TestTurn> testTurn_;

@@ -4,7 +4,6 @@
 
 #include "base/errors.h"
 #include "positional_space/scanner_images_cache.h"
-#include "scanner/simulated_scanner.h"
 
 namespace vantage {
 namespace {
@@ -23,8 +22,9 @@ std::shared_ptr<Session> createSession(const SetUp& setUp) {
   std::error_code error;
   fs::create_directories(setUp.choice.folder, error);
   if (error) throw IoError(setUp.choice.folder, "cannot be made a folder: " + error.message());
-  return std::make_shared<Session>(Session::create(
-      freeName(setUp.choice.folder), {setUp.source, setUp.choice.settings, setUp.object.get(), setUp.profile}));
+  const Mesh* object = setUp.object ? setUp.object->mesh.get() : nullptr;
+  return std::make_shared<Session>(
+      Session::create(freeName(setUp.choice.folder), {setUp.source, setUp.choice.settings, object, setUp.profile}));
 }
 
 OpenedSession openSession(const std::string& path, const std::string& cacheFolder, const Progress& progress) {
@@ -41,8 +41,8 @@ OpenedSession openSession(const std::string& path, const std::string& cacheFolde
   }
   if (!setUp->choice.settings.object.empty()) {
     try {
-      auto object = std::make_shared<const Mesh>(opened.session->object(progress.part(0.4, 0.5, "read object")));
-      setUp->object = std::move(object);
+      Mesh mesh = opened.session->object(progress.part(0.4, 0.5, "read object"));
+      placeObject(*setUp, std::make_shared<const Mesh>(std::move(mesh)));
     } catch (const Cancelled&) {
       throw;
     } catch (const Error& e) {
@@ -54,14 +54,6 @@ OpenedSession openSession(const std::string& path, const std::string& cacheFolde
       loadScannerImages(*setUp->profile, cacheFolder, progress.part(0.5, 1.0, "positional space of the scanner")));
   opened.setUp = setUp;
   return opened;
-}
-
-std::unique_ptr<ScannerDevice> scannerOf(const SetUp& setUp, std::int64_t scansBefore) {
-  if (!setUp.object)
-    throw InvalidInput("there is nothing to scan: " + (setUp.notes.empty() ? "no object was chosen" : setUp.notes));
-  const AcquisitionSettings& settings = setUp.choice.settings;
-  return std::make_unique<SimulatedScanner>(
-      *setUp.object, setUp.profile, SimulationOptions{settings.seed, settings.ideal}, static_cast<int>(scansBefore));
 }
 
 }  // namespace vantage

@@ -22,8 +22,4 @@ struct OpenedSession {
 [[nodiscard]] OpenedSession openSession(const std::string& path, const std::string& cacheFolder,
                                         const Progress& progress);
 
-/// The simulated scanner of a session where it left off.
-/// @throws InvalidInput when the session has no object to look at.
-[[nodiscard]] std::unique_ptr<ScannerDevice> scannerOf(const SetUp& setUp, std::int64_t scansBefore);
-
 }  // namespace vantage

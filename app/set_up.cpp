@@ -3,29 +3,31 @@
 #include <algorithm>
 #include <cmath>
 #include <tuple>
+#include <utility>
 
 #include "io/placement.h"
 #include "positional_space/scanner_images_cache.h"
 
 namespace vantage {
-namespace {
 
-void placeObject(SetUp& setUp, const Progress& progress) {
-  const AcquisitionSettings& settings = setUp.choice.settings;
-  PlacedMesh loaded = loadPlacedMesh(settings.object, settings.placement, setUp.profile->viewingVolume, progress);
-  setUp.notes = describe(loaded.repair);
-  auto object = std::make_shared<const Mesh>(std::move(loaded.mesh));
-  setUp.insideVolume = isInside(*object, setUp.profile->viewingVolume);
-  setUp.lowest = object->vertices.empty() ? 0.0 : object->vertices.front().z();
-  for (const Vec3& p : object->vertices) {
-    setUp.radius = std::max(setUp.radius, std::hypot(p.x(), p.y()));
-    setUp.height = std::max(setUp.height, p.z());
-    setUp.lowest = std::min(setUp.lowest, p.z());
+ObjectOnTable measured(std::shared_ptr<const Mesh> mesh, const ViewingVolume& volume) {
+  ObjectOnTable object;
+  object.insideVolume = isInside(*mesh, volume);
+  object.lowest = mesh->vertices.empty() ? 0.0 : mesh->vertices.front().z();
+  for (const Vec3& p : mesh->vertices) {
+    object.radius = std::max(object.radius, std::hypot(p.x(), p.y()));
+    object.height = std::max(object.height, p.z());
+    object.lowest = std::min(object.lowest, p.z());
   }
-  setUp.object = std::move(object);
+  object.mesh = std::move(mesh);
+  return object;
 }
 
-}  // namespace
+void placeObject(SetUp& setUp, std::shared_ptr<const Mesh> mesh) {
+  const AcquisitionSettings& settings = setUp.choice.settings;
+  setUp.devices = Simulated{mesh, setUp.profile, {settings.seed, settings.ideal}};
+  setUp.object = measured(std::move(mesh), setUp.profile->viewingVolume);
+}
 
 bool operator==(const SetUpChoice& a, const SetUpChoice& b) {
   const auto values = [](const SetUpChoice& c) {
@@ -42,7 +44,12 @@ SharedSetUp prepareSetUp(const SetUpChoice& choice, const std::string& cacheFold
   progress.part(0.0, 0.05, "read profile").checkpoint(0.0);
   setUp->source = readProfileSource(choice.scanner);
   setUp->profile = std::make_shared<const ScannerProfile>(parseProfile(setUp->source));
-  if (!choice.settings.object.empty()) placeObject(*setUp, progress.part(0.05, 0.4, "read object"));
+  if (!choice.settings.object.empty()) {
+    PlacedMesh loaded = loadPlacedMesh(choice.settings.object, choice.settings.placement, setUp->profile->viewingVolume,
+                                       progress.part(0.05, 0.4, "read object"));
+    setUp->notes = describe(loaded.repair);
+    placeObject(*setUp, std::make_shared<const Mesh>(std::move(loaded.mesh)));
+  }
   setUp->images = std::make_shared<const ScannerImages>(
       loadScannerImages(*setUp->profile, cacheFolder, progress.part(0.4, 1.0, "positional space of the scanner")));
   return setUp;

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "acquisition/acquisition_state.h"
 #include "base/progress.h"
+#include "devices/device_factory.h"
 #include "geometry/mesh.h"
 #include "positional_space/scanner_images.h"
 #include "scanner/profile.h"
@@ -19,20 +21,30 @@ struct SetUpChoice {
 };
 [[nodiscard]] bool operator==(const SetUpChoice& a, const SetUpChoice& b);
 
-/// A set-up that is ready to scan. Immutable, shared.
+/// What stands before the simulated sensor.
+struct ObjectOnTable {
+  std::shared_ptr<const Mesh> mesh;  ///< in table coordinates
+  double radius = 0.0;               ///< about the table's axis [mm]
+  double height = 0.0;               ///< of its highest point above the table; 0 when there is none [mm]
+  double lowest = 0.0;               ///< of its lowest point [mm]
+  bool insideVolume = true;          ///< it keeps to the viewing volume
+};
+[[nodiscard]] ObjectOnTable measured(std::shared_ptr<const Mesh> mesh, const ViewingVolume& volume);
+
+/// A set-up as it was read. Immutable, shared.
 struct SetUp {
   SetUpChoice choice;
   ProfileSource source;
   std::shared_ptr<const ScannerProfile> profile;
-  std::shared_ptr<const Mesh> object;  ///< as it stands on the table; null for recorded scans
+  std::optional<DeviceSetUp> devices;   ///< what scans are taken with; nothing where none can be taken
+  std::optional<ObjectOnTable> object;  ///< of the simulated scanner; nothing where the scanner needs none
   std::shared_ptr<const ScannerImages> images;
-  std::string notes;         ///< what was done to the object while reading it; empty for nothing
-  double radius = 0.0;       ///< of the object about the table's axis [mm]
-  double height = 0.0;       ///< of its highest point above the table [mm]
-  double lowest = 0.0;       ///< of its lowest [mm]
-  bool insideVolume = true;  ///< the object keeps to the viewing volume
+  std::string notes;  ///< what was done to the object while reading it, or why it could not be read; empty for nothing
 };
 using SharedSetUp = std::shared_ptr<const SetUp>;
+
+/// Puts a mesh before the simulated scanner of a set-up whose profile and settings are known.
+void placeObject(SetUp& setUp, std::shared_ptr<const Mesh> mesh);
 
 /// Reads profile and object, puts the object on the table and gets the scanner's images.
 /// @param cacheFolder where images are kept between runs; empty for nowhere.

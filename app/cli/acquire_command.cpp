@@ -42,10 +42,10 @@ void run(const AcquireArguments& args, CommandContext& context) {
   if (args.settings.firstView >= static_cast<int>(profile->workspace.size()))
     throw InvalidInput("--first-view is " + std::to_string(args.settings.firstView) +
                        ", the workspace has positions 0 to " + std::to_string(profile->workspace.size() - 1));
-  const Mesh object = placeObject(args, *profile, context);
+  const auto object = std::make_shared<const Mesh>(placeObject(args, *profile, context));
   makeFolder(args.out);
   const std::string file = (std::filesystem::path(args.out) / "session.vantage").string();
-  Session session = Session::create(file, {source, args.settings, &object, profile});
+  Session session = Session::create(file, {source, args.settings, object.get(), profile});
   SessionRun(session, args.out, context).run(object);
 }
 

@@ -15,7 +15,7 @@ struct ResumeArguments {
 
 void run(const ResumeArguments& args, CommandContext& context) {
   Session session = openSession(args.session, SessionAccess::Write, context);
-  const Mesh object = session.object(context.progress());
+  const auto object = std::make_shared<const Mesh>(session.object(context.progress()));
   const std::string beside = std::filesystem::absolute(args.session).parent_path().string();
   const std::string out = args.out.empty() ? beside : args.out;
   makeFolder(out);

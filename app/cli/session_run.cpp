@@ -1,25 +1,20 @@
 #include "cli/session_run.h"
 
-#include <chrono>
 #include <filesystem>
 
 #include "acquisition/acquisition.h"
-#include "acquisition/patient_scanner.h"
 #include "base/errors.h"
 #include "cli/cache_directory.h"
 #include "cli/text.h"
+#include "devices/device_factory.h"
 #include "io/mesh_writer.h"
 #include "planning/choice.h"
 #include "positional_space/scanner_images_cache.h"
 #include "report/report.h"
 #include "report/wording.h"
-#include "scanner/simulated_scanner.h"
 
 namespace vantage {
 namespace {
-
-// A scanner that shows no progress for so long hangs.
-constexpr std::chrono::seconds kPatience{120};
 
 std::string positionText(const KeptScan& scan) {
   return scan.station().position ? std::to_string(*scan.station().position) : "none";
@@ -67,7 +62,7 @@ std::string SessionRun::file(const char* name) const {
   return (std::filesystem::path(out_) / name).string();
 }
 
-void SessionRun::run(const Mesh& object) {
+void SessionRun::run(const std::shared_ptr<const Mesh>& object) {
   try {
     acquireAll(object);
   } catch (const InvalidInput& e) {
@@ -84,23 +79,20 @@ void SessionRun::run(const Mesh& object) {
   announce();
 }
 
-void SessionRun::acquireAll(const Mesh& object) {
+void SessionRun::acquireAll(const std::shared_ptr<const Mesh>& object) {
   if (last_->termination != Termination::Running) return;
   const auto profile = session_.profile();
   const auto images = std::make_shared<const ScannerImages>(loadScannerImages(
       *profile, cacheDirectory(), context_.progress().part(0.0, 1.0, "positional space of the scanner")));
   // Scans that were taken before have moved the turntable, whatever became of them.
-  const auto taken = static_cast<int>(session_.scanCount());
-  const SimulationOptions simulation{last_->settings.seed, last_->settings.ideal};
-  const auto scanner = std::make_shared<PatientScanner>(
-      std::make_shared<SimulatedScanner>(object, profile, simulation, taken), kPatience);
+  const Simulated devices{object, profile, {last_->settings.seed, last_->settings.ideal}};
+  const Rig rig = DeviceFactory().open(devices, session_.scanCount(), context_.progress());
   if (const auto unused = session_.unusedScan())
     context_.note("scan " + std::to_string(unused->number) + " was not yet added: going on with it");
-  Acquisition acquisition(session_, {scanner, images},
-                          [&](const Command& command, const auto& /*before*/, const auto&) {
-                            last_ = session_.state();
-                            if (std::holds_alternative<AddScan>(command)) context_.note(lastScanLine(*last_));
-                          });
+  Acquisition acquisition(session_, {rig, images}, [&](const Command& command, const auto& /*before*/, const auto&) {
+    last_ = session_.state();
+    if (std::holds_alternative<AddScan>(command)) context_.note(lastScanLine(*last_));
+  });
   acquisition.runUntilTheEnd(context_.progress());
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <string>
 
 #include "cli/command.h"
@@ -15,11 +16,11 @@ class SessionRun {
   SessionRun(Session& session, std::string out, CommandContext& context);
 
   /// @throws InvalidInput, IoError, DeviceError, Cancelled: the session can be resumed
-  void run(const Mesh& object);
+  void run(const std::shared_ptr<const Mesh>& object);
 
  private:
   [[nodiscard]] std::string file(const char* name) const;
-  void acquireAll(const Mesh& object);
+  void acquireAll(const std::shared_ptr<const Mesh>& object);
   void writeResults();
   void announce();
 

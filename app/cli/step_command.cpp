@@ -50,7 +50,7 @@ void run(const StepArguments& args, CommandContext& context) {
   RangeImage image = readScan(args, session, progress.part(0.0, 0.1, "read scan"));
   const auto images = std::make_shared<const ScannerImages>(loadScannerImages(
       *session.profile(), cacheDirectory(), progress.part(0.1, 0.2, "positional space of the scanner")));
-  Acquisition acquisition(session, {nullptr, images});
+  Acquisition acquisition(session, {{}, images});
   acquisition.addScan(std::move(image), progress.part(0.2, 1.0));
 
   const auto after = session.state();

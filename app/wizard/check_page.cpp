@@ -47,7 +47,7 @@ QString CheckPage::whatNext() const {
 }
 
 bool CheckPage::complete() const {
-  return controller().setUp() && (controller().setUp()->object || controller().hasSession());
+  return controller().setUp() && (controller().setUp()->devices || controller().hasSession());
 }
 
 void CheckPage::entered() {
@@ -66,20 +66,20 @@ void CheckPage::refresh() {
   const SharedSetUp& setUp = controller().setUp();
   sketch_->show(setUp);
   figures_->clear();
-  const bool outside = setUp && setUp->object && !setUp->insideVolume;
+  const bool outside = setUp && setUp->object && !setUp->object->insideVolume;
   fit_->setVisible(outside && !controller().hasSession());
   allow(*turn_, controller().whyNotTestTurn());
   if (!setUp) {
     verdict_->setText(controller().activity() == Activity::Preparing ? tr("Reading…") : tr("Nothing is chosen yet."));
   } else if (!setUp->object) {
-    verdict_->setText(setUp->notes.empty() ? tr("There is no object to look at.")
-                                           : QString::fromStdString(setUp->notes));
+    const QString why = controller().whyNoDevices();
+    verdict_->setText(why.isEmpty() ? tr("What stands before the scanner is seen by its first scan.") : why);
   } else {
     verdict_->setText(outside ? tr("The object reaches out of the viewing volume: what is outside cannot be scanned.")
                               : tr("The object stands inside the viewing volume."));
-    figures_->add(tr("Object, radius about the axis"), figureText(setUp->radius, 1) + tr(" mm"));
-    figures_->add(tr("Object, height"), figureText(setUp->height, 1) + tr(" mm"));
-    figures_->add(tr("Object, lowest point"), figureText(setUp->lowest, 1) + tr(" mm"), tr("0 is the table"));
+    figures_->add(tr("Object, radius about the axis"), figureText(setUp->object->radius, 1) + tr(" mm"));
+    figures_->add(tr("Object, height"), figureText(setUp->object->height, 1) + tr(" mm"));
+    figures_->add(tr("Object, lowest point"), figureText(setUp->object->lowest, 1) + tr(" mm"), tr("0 is the table"));
   }
   verdict_->setProperty("role", outside ? "warning" : "");
   if (setUp && setUp->profile) {

@@ -17,6 +17,8 @@
 namespace vantage {
 namespace {
 
+const QString kPreferredObject = QStringLiteral("mug.ply");
+
 // A name for people: "rotating_stripe.json" is "Rotating stripe".
 QString readable(const QString& path) {
   QString name = QFileInfo(path).completeBaseName().replace(QLatin1Char('_'), QLatin1Char(' '));
@@ -54,7 +56,8 @@ ChoosePage::ChoosePage(SessionController& controller, const QString& resources, 
     : WizardPage(controller, parent), resources_(resources) {
   build();
   fill(*scanner_, QStringLiteral("scanners"), QStringLiteral("*.json"), QStringLiteral("rotating_stripe.json"));
-  fill(*object_, QStringLiteral("objects"), QStringLiteral("*.ply"), QStringLiteral("mug.ply"));
+  fill(*object_, QStringLiteral("objects"), QStringLiteral("*.ply"), kPreferredObject);
+  object_->setPlaceholderText(tr("None: the scans were recorded elsewhere"));
   suggestFolder();
   connect(object_, &QComboBox::currentIndexChanged, this, [this] {
     suggestFolder();
@@ -63,7 +66,10 @@ ChoosePage::ChoosePage(SessionController& controller, const QString& resources, 
   connect(scanner_, &QComboBox::currentIndexChanged, this, [this] { emit changed(); });
   connect(folder_, &QLineEdit::textChanged, this, [this] { emit changed(); });
   connect(&controller, &SessionController::sessionChanged, this, [this] {
-    if (!this->controller().hasSession()) suggestFolder();
+    if (!this->controller().hasSession()) {
+      if (object_->currentIndex() < 0) select(*object_, resources_ + QStringLiteral("/objects/") + kPreferredObject);
+      suggestFolder();
+    }
     entered();
   });
 }
@@ -150,7 +156,10 @@ SetUpChoice ChoosePage::choice() const {
 }
 
 bool ChoosePage::complete() const {
-  return !scanner_->currentData().toString().isEmpty() && !folder_->text().trimmed().isEmpty();
+  // The scanner that can be chosen here is the simulated one, which needs an object.
+  return controller().hasSession() ||
+         (!scanner_->currentData().toString().isEmpty() && !object_->currentData().toString().isEmpty() &&
+          !folder_->text().trimmed().isEmpty());
 }
 
 QString ChoosePage::whatNext() const {
@@ -162,7 +171,10 @@ QString ChoosePage::whatNext() const {
 void ChoosePage::entered() {
   const bool open = controller().hasSession();
   const SetUpChoice& chosen = controller().choice();
-  if (open && !chosen.settings.object.empty()) select(*object_, QString::fromStdString(chosen.settings.object));
+  if (open && chosen.settings.object.empty())
+    object_->setCurrentIndex(-1);
+  else if (open)
+    select(*object_, QString::fromStdString(chosen.settings.object));
   if (open) folder_->setText(QString::fromStdString(chosen.folder));
   for (QWidget* editor :
        {static_cast<QWidget*>(scanner_), static_cast<QWidget*>(object_), static_cast<QWidget*>(folder_), more_})

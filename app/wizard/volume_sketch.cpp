@@ -27,8 +27,9 @@ void VolumeSketch::paintEvent(QPaintEvent* /*event*/) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
   const ViewingVolume& volume = setUp_->profile->viewingVolume;
-  const double widest = std::max(volume.radius, setUp_->radius);
-  const double highest = std::max(volume.height, setUp_->height);
+  const ObjectOnTable object = setUp_->object.value_or(ObjectOnTable());
+  const double widest = std::max(volume.radius, object.radius);
+  const double highest = std::max(volume.height, object.height);
   const double scale = std::min((width() - 2 * kMargin) / (2 * widest), (height() - 2 * kMargin) / highest);
   const QPointF foot(width() / 2.0, height() - kMargin);
   const auto box = [&](double radius, double low, double high) {
@@ -42,7 +43,7 @@ void VolumeSketch::paintEvent(QPaintEvent* /*event*/) {
   QColor fill = palette().color(QPalette::Highlight);
   fill.setAlphaF(0.55F);
   painter.setBrush(fill);
-  painter.drawRect(box(setUp_->radius, setUp_->lowest, setUp_->height));
+  painter.drawRect(box(object.radius, object.lowest, object.height));
   painter.setPen(QPen(text, 1.0, Qt::DashDotLine));
   painter.drawLine(foot, foot - QPointF(0, highest * scale + 8));
   painter.setPen(QPen(text, 2.0));

@@ -26,7 +26,7 @@ Acquisition::Acquisition(Journal& journal, AcquisitionTools tools, StepObserver 
 
 std::optional<Refusal> Acquisition::mayScan() const {
   if (auto refusal = vantage::mayScan(*state())) return refusal;
-  if (!tools_.scanner) return Refusal{RefusalReason::NothingToScanWith, {}};
+  if (!tools_.rig) return Refusal{RefusalReason::NothingToScanWith, {}};
   return {};
 }
 
@@ -81,8 +81,8 @@ NumberedScan Acquisition::takeScan(int position, const Progress& progress) {
   const Station station{state()->stand(), position};
   const auto unused = journal_.unusedScan();
   if (unused && unused->image->station == station) return *unused;
-  RangeImage image = tools_.scanner->scan(position, progress);
-  image.station = station;
+  RangeImage image = scanFrom(*tools_.rig, position, progress);
+  image.station.stand = station.stand;
   return journal_.keepScan(std::move(image));
 }
 

@@ -11,13 +11,13 @@
 #include "acquisition/next_scan.h"
 #include "base/progress.h"
 #include "positional_space/scanner_images.h"
-#include "scanner/device.h"
+#include "scanner/rig.h"
 
 namespace vantage {
 
 /// What an acquisition scans and plans with.
 struct AcquisitionTools {
-  std::shared_ptr<ScannerDevice> scanner;       ///< null: nothing is scanned, all else can be done
+  std::optional<Rig> rig;                       ///< open; nothing: nothing is scanned, all else can be done
   std::shared_ptr<const ScannerImages> images;  ///< of the profile; null: nothing is planned
 };
 

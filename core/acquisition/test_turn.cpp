@@ -17,16 +17,22 @@ double turnAboutZ(const Pose& pose) {
   return std::atan2(pose.linear()(1, 0) - pose.linear()(0, 1), pose.linear()(0, 0) + pose.linear()(1, 1));
 }
 
+// What the positioner knows of its errors, else what the profile says of them.
+Mechanics mechanicsOf(const Rig& rig, const ScannerProfile& profile) {
+  const auto reached = rig.positioner->where();
+  return reached && reached->uncertainty ? *reached->uncertainty : profile.mechanics;
+}
+
 }  // namespace
 
-TestTurn testTurn(ScannerDevice& scanner, const ScannerProfile& profile, int from, int to, const Progress& progress) {
+TestTurn testTurn(const Rig& rig, const ScannerProfile& profile, int from, int to, const Progress& progress) {
   TestTurn result;
   result.expected = -turnBetween(profile.workspace, from, to).angle;
   TriangulationOptions triangulation;
   triangulation.breakdownAngle = profile.breakdownAngle;
 
-  const RangeImage first = scanner.scan(from, progress.part(0.0, 0.25, name(Phase::Scan)));
-  const RangeImage second = scanner.scan(to, progress.part(0.25, 0.5, name(Phase::Scan)));
+  const RangeImage first = scanFrom(rig, from, progress.part(0.0, 0.25, name(Phase::Scan)));
+  const RangeImage second = scanFrom(rig, to, progress.part(0.25, 0.5, name(Phase::Scan)));
   const Progress registering = progress.part(0.5, 1.0, name(Phase::Register));
   registering.checkpoint(0.0);
   const ViewMesh a = triangulate(first, triangulation);
@@ -34,7 +40,7 @@ TestTurn testTurn(ScannerDevice& scanner, const ScannerProfile& profile, int fro
     throw InvalidInput("the scan from position " + std::to_string(from) +
                        " has no surface: is the object inside the viewing volume?");
   IcpOptions options;
-  options.prior = turntablePrior(profile.mechanics);
+  options.prior = turntablePrior(mechanicsOf(rig, profile));
   result.samples = first.sampleCount();
   const RegistrationTarget target(transformed(a.mesh, first.T_table_scanner), a.confidence);
   result.registration = registerView(triangulate(second, triangulation), *second.rays, second.T_table_scanner, target,

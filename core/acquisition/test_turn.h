@@ -5,8 +5,8 @@
 
 #include "base/progress.h"
 #include "registration/icp.h"
-#include "scanner/device.h"
 #include "scanner/profile.h"
+#include "scanner/rig.h"
 
 namespace vantage {
 
@@ -19,10 +19,10 @@ struct TestTurn {
   RegistrationResult registration;
 };
 
-/// Scans from two positions and registers the second scan with the first. Neither is kept. Steps reported: scan,
-/// register.
+/// Scans from two positions with a rig that is open and registers the second scan with the first. Neither is kept.
+/// Steps reported: scan, register.
 /// @throws InvalidInput when the first scan has no surface or the workspace lacks a position; DeviceError, Cancelled
-[[nodiscard]] TestTurn testTurn(ScannerDevice& scanner, const ScannerProfile& profile, int from, int to,
+[[nodiscard]] TestTurn testTurn(const Rig& rig, const ScannerProfile& profile, int from, int to,
                                 const Progress& progress);
 
 }  // namespace vantage

@@ -4,7 +4,6 @@
 #include <string>
 
 #include "base/progress.h"
-#include "scanner/range_image.h"
 
 namespace vantage {
 
@@ -32,16 +31,6 @@ class Device {
 
   /// What keeps it from being used now, as the end of a sentence that begins with its identity; nothing when it can.
   [[nodiscard]] virtual std::optional<std::string> notReady() const = 0;
-};
-
-/// Something that scans: a rig behind one call.
-class ScannerDevice {
- public:
-  virtual ~ScannerDevice() = default;
-
-  /// One range image from a workspace position, with its nominal pose.
-  /// @throws DeviceError, Cancelled
-  [[nodiscard]] virtual RangeImage scan(int position, const Progress& progress) = 0;
 };
 
 }  // namespace vantage

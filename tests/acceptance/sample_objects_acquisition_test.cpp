@@ -8,7 +8,7 @@
 #include "geometry/measures.h"
 #include "io/mesh_reader.h"
 #include "report/evaluation.h"
-#include "scanner/simulated_scanner.h"
+#include "support/simulation.h"
 
 // The main job on what is shipped: the sample objects before the sample scanner, with noise and mechanical errors.
 
@@ -27,8 +27,7 @@ Acquired acquireSample(const std::string& name) {
   const Progress progress = Progress().withThreads(2);
   const auto images = std::make_shared<const ScannerImages>(computeScannerImages(*profile, progress));
   MemoryJournal journal(profile, {});
-  Acquisition(journal, {std::make_shared<SimulatedScanner>(object, profile, SimulationOptions{}), images})
-      .runUntilTheEnd(progress);
+  Acquisition(journal, {testing::simulation(object, profile), images}).runUntilTheEnd(progress);
   Acquired result{*journal.state(), {}};
   result.evaluation = evaluate(result.state.model->mesh, object, *profile, {}, progress);
   return result;

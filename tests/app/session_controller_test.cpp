@@ -55,8 +55,8 @@ class SessionControllerTest : public ::testing::Test {
 TEST_F(SessionControllerTest, PreparesAndChecksTheSetUp) {
   prepare();
   ASSERT_TRUE(controller_->setUp());
-  EXPECT_TRUE(controller_->setUp()->insideVolume);
-  EXPECT_GT(controller_->setUp()->height, 50.0);
+  EXPECT_TRUE(controller_->setUp()->object->insideVolume);
+  EXPECT_GT(controller_->setUp()->object->height, 50.0);
   EXPECT_FALSE(controller_->hasSession());
 }
 
@@ -175,6 +175,56 @@ TEST_F(SessionControllerTest, ASessionReopensAtItsPageWithEveryScan) {
   EXPECT_EQ(countScans(*controller_->now(), ScanStatus::In), 2U);
   controller_->step();
   EXPECT_EQ(countScans(*controller_->now(), ScanStatus::In), 3U);
+}
+
+TEST_F(SessionControllerTest, ASessionThatIsReopenedHasItsObjectOnTheTable) {
+  prepare();
+  const ObjectOnTable before = *controller_->setUp()->object;
+  controller_->step();
+  const QString session = controller_->sessionPath();
+  controller_ = make();
+  controller_->open(session);
+  ASSERT_TRUE(controller_->setUp()->object);
+  const ObjectOnTable& after = *controller_->setUp()->object;
+  EXPECT_GT(after.radius, 40.0);
+  EXPECT_EQ(after.radius, before.radius);
+  EXPECT_EQ(after.height, before.height);
+  EXPECT_EQ(after.lowest, before.lowest);
+  EXPECT_TRUE(after.insideVolume);
+  controller_->startTestTurn();
+  EXPECT_TRUE(controller_->testTurnResult());
+}
+
+TEST_F(SessionControllerTest, ASessionOfRecordedScansHasNothingToScanWithAndSaysSo) {
+  const std::string profile = path("scanner.json").toStdString();
+  for (const bool withProfile : {false, true}) {
+    const QString session = path(withProfile ? "positions.vantage" : "free.vantage");
+    std::optional<ProfileSource> source;
+    if (withProfile) source = readProfileSource(profile);
+    static_cast<void>(Session::create(session.toStdString(), {source, {}, nullptr}));
+    controller_ = make();
+    controller_->open(session);
+    ASSERT_TRUE(controller_->hasSession());
+    EXPECT_FALSE(controller_->setUp()->devices);
+    EXPECT_TRUE(controller_->whyNotScan().contains("recorded")) << controller_->whyNotScan().toStdString();
+    EXPECT_TRUE(controller_->whyNotTestTurn().contains("recorded"));
+    EXPECT_FALSE(controller_->whyNotRun().isEmpty());
+    controller_->step();
+    controller_->startTestTurn();
+    EXPECT_FALSE(controller_->testTurnResult());
+    EXPECT_TRUE(controller_->now()->scans.empty());
+  }
+}
+
+TEST_F(SessionControllerTest, TheSimulatedScannerAsksForAnObject) {
+  SetUpChoice bare = choice();
+  bare.settings.object.clear();
+  controller_->setChoice(bare);
+  controller_->prepare();
+  ASSERT_TRUE(controller_->setUp());
+  EXPECT_TRUE(controller_->whyNotScan().contains("needs an object")) << controller_->whyNotScan().toStdString();
+  prepare();
+  EXPECT_TRUE(controller_->whyNotScan().isEmpty()) << controller_->whyNotScan().toStdString();
 }
 
 TEST_F(SessionControllerTest, ASessionThatNoWindowHasHadOpensWhereItsStateLeads) {

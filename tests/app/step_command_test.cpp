@@ -17,14 +17,14 @@ TEST(StepCommand, AddsTheScansOfAnOperatorUntilTheModelIsThere) {
   AcquisitionSettings settings;
   settings.maxViews = 3;
   const auto profile = Session::create(path, {testing::smallProfileSource(), settings, nullptr}).profile();
-  SimulatedScanner scanner(testing::smallObject(), profile, {});
+  const Rig rig = testing::simulation(testing::smallObject(), profile);
   const auto state = [&] { return Session::open(path, SessionAccess::Read).state(); };
 
   for (int i = 0; i < 3; ++i) {
     const std::optional<int> next = nextPosition(*state());
     ASSERT_TRUE(next);
     const std::string range = folder.file("scan" + std::to_string(i) + ".ply");
-    writeRangeFile(scanner.scan(*next, Progress()), range);
+    writeRangeFile(scanFrom(rig, *next, Progress()), range);
     testing::ChildProgram step(
         {VANTAGE_CLI, "step", path, "--range", range, "--position", std::to_string(*next), "--threads", "1"},
         folder.file("log"));

@@ -10,7 +10,7 @@
 #include "acquisition/memory_journal.h"
 #include "io/mesh_reader.h"
 #include "report/report.h"
-#include "scanner/simulated_scanner.h"
+#include "scanner/simulated_sensor.h"
 
 namespace vantage {
 namespace {
@@ -44,9 +44,9 @@ void printTable(const AcquisitionState& state) {
 void run(const std::string& object, const std::string& scanner) {
   const auto profile = std::make_shared<const ScannerProfile>(loadProfile(scanner));
   const auto images = std::make_shared<const ScannerImages>(computeScannerImages(*profile));
-  const auto device = std::make_shared<SimulatedScanner>(loadMesh(object, {}, {}).mesh, profile, SimulationOptions{});
+  const Rig rig = opened(simulatedRig(std::make_shared<const Mesh>(loadMesh(object, {}, {}).mesh), profile, {}));
   MemoryJournal journal(profile, {});
-  Acquisition(journal, {device, images}).runUntilTheEnd(Progress().withThreads(2));
+  Acquisition(journal, {rig, images}).runUntilTheEnd(Progress().withThreads(2));
   const AcquisitionState state = *journal.state();
   std::size_t scanned = 0;
   for (const KeptScan& scan : state.scans) scanned += scan.record.triangles;

@@ -10,9 +10,9 @@
 #include "core/session/large_session.h"
 #include "io/mesh_reader.h"
 #include "positional_space/scanner_images_cache.h"
-#include "scanner/simulated_scanner.h"
 #include "session/session.h"
 #include "support/scenes/journal_pen.h"
+#include "support/simulation.h"
 #include "support/test_data.h"
 
 // What keeping a session costs beside the acquisition that it records, in one run; and how long a session of 120 views
@@ -96,9 +96,9 @@ Writing acquireOnce(const std::string& folder) {
   auto session = std::make_unique<Session>(timed(t.creating, [&] {
     return Session::create(folder + "/mug.vantage", {source, {}, &object, profile});
   }));
-  const auto scanner = std::make_shared<SimulatedScanner>(object, session->profile(), SimulationOptions{});
+  const Rig rig = testing::simulation(object, session->profile());
   TimedJournal journal(*session, t);
-  Acquisition(journal, {scanner, images}).runUntilTheEnd(progress);
+  Acquisition(journal, {rig, images}).runUntilTheEnd(progress);
   t.views = countScans(*session->state(), ScanStatus::In);
   timed(t.closing, [&] { session.reset(); });
   t.all = secondsSince(begin);

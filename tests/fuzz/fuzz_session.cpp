@@ -7,11 +7,11 @@
 #include "base/errors.h"
 #include "fuzz/fuzz_target.h"
 #include "fuzz/scratch_file.h"
-#include "scanner/simulated_scanner.h"
 #include "session/database.h"
 #include "session/session.h"
 #include "session/session_schema.h"
 #include "support/meshes.h"
+#include "support/simulation.h"
 
 // An input begins with what to do: 0: the rest is a session file as it stands. Else a good session is changed in one
 // cell before it is read: table, row and column in three bytes, then the value, as text, as bytes (2) or as bytes that
@@ -39,9 +39,9 @@ std::string goodSession() {
     AcquisitionSettings settings;
     settings.maxViews = 2;
     Session session = Session::create(file.path(), {profileSource(), settings, &ball});
-    const auto scanner = std::make_shared<SimulatedScanner>(ball, session.profile(), SimulationOptions{1, true});
+    const Rig rig = simulation(ball, session.profile(), {1, true});
     const auto images = std::make_shared<const ScannerImages>(computeScannerImages(*session.profile()));
-    Acquisition(session, {scanner, images}).runUntilTheEnd();
+    Acquisition(session, {rig, images}).runUntilTheEnd();
   }
   Database(file.path(), Database::Mode::Write).run("PRAGMA journal_mode=DELETE");
   return file.read();

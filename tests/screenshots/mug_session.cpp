@@ -6,7 +6,7 @@
 #include "acquisition/memory_journal.h"
 #include "acquisition/steps.h"
 #include "io/mesh_reader.h"
-#include "scanner/simulated_scanner.h"
+#include "support/simulation.h"
 
 namespace vantage::testing {
 namespace {
@@ -25,15 +25,14 @@ std::vector<SharedSnapshot> acquireMug() {
   AcquisitionSettings settings;
   settings.maxViews = 12;
   const auto images = std::make_shared<const ScannerImages>(computeScannerImages(*profile));
-  const auto scanner = std::make_shared<SimulatedScanner>(
-      loadMesh(VANTAGE_SOURCE_DIR "/resources/objects/mug.ply").mesh, profile, SimulationOptions{1, false});
+  const Rig rig = simulation(loadMesh(VANTAGE_SOURCE_DIR "/resources/objects/mug.ply").mesh, profile);
   std::vector<SharedSnapshot> snapshots;
   const auto observe = [&](const Command&, const AcquisitionState&, const AcquisitionState& after) {
     const auto kept = std::make_shared<const AcquisitionState>(after);
     snapshots.push_back(makeSnapshot(kept, images, imagesOf(*kept, *images)));
   };
   MemoryJournal journal(profile, settings);
-  const Termination end = Acquisition(journal, {scanner, images}, observe).runUntilTheEnd(Progress().withThreads(2));
+  const Termination end = Acquisition(journal, {rig, images}, observe).runUntilTheEnd(Progress().withThreads(2));
   if (end != Termination::Finished) throw std::runtime_error("the mug was not finished in 12 views");
   return snapshots;
 }

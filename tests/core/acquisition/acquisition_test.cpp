@@ -118,7 +118,7 @@ TEST_F(AcquisitionTest, KnowsWhereTheTableStandsWhateverBecameOfTheScans) {
 }
 
 TEST_F(AcquisitionTest, PlansFirstWhereThePlanIsMissing) {
-  Acquisition(journal_, {testing::smallTools(testing::smallProfile()).scanner, nullptr}).scanNext();
+  Acquisition(journal_, {testing::smallTools(testing::smallProfile()).rig, nullptr}).scanNext();
   EXPECT_FALSE(journal_.state()->plan);
   EXPECT_TRUE(std::holds_alternative<PlanFirst>(nextScan(*journal_.state())));
   Acquisition acquisition = this->acquisition();
@@ -151,10 +151,10 @@ TEST_F(AcquisitionTest, ThePlanBelongsToTheStateAndWhatWasPlannedThenStaysInTheR
 TEST(ImportedScans, EndAsWhatTheyAre) {
   MemoryJournal journal(nullptr, {});
   const auto profile = testing::smallProfile();
-  SimulatedScanner scanner(testing::smallObject(), profile, {1, true});
+  const Rig rig = testing::simulation(testing::smallObject(), profile, {1, true});
   std::vector<RangeImage> images;
   for (const int position : {0, 2, 4}) {
-    images.push_back(scanner.scan(position, {}));
+    images.push_back(scanFrom(rig, position, {}));
     images.back().station.position.reset();
     images.back().poseKnownBy = PoseSource::Reported;
   }

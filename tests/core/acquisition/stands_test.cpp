@@ -21,16 +21,13 @@ Pose turnedOver() {
   return T_object_table;
 }
 
-// A scanner before the small object as it lies then.
-std::shared_ptr<ScannerDevice> scannerBefore(const std::shared_ptr<const ScannerProfile>& profile,
-                                             const Pose& T_object_table) {
-  return std::make_shared<SimulatedScanner>(transformed(testing::smallObject(), T_object_table.inverse()), profile,
-                                            SimulationOptions{1, true});
+// A rig before the small object as it lies then.
+Rig rigBefore(const std::shared_ptr<const ScannerProfile>& profile, const Pose& T_object_table) {
+  return testing::simulation(transformed(testing::smallObject(), T_object_table.inverse()), profile, {1, true});
 }
 
 AcquisitionTools toolsOf(const std::shared_ptr<const ScannerProfile>& profile, const Pose& T_object_table) {
-  return {scannerBefore(profile, T_object_table),
-          std::make_shared<const ScannerImages>(computeScannerImages(*profile))};
+  return {rigBefore(profile, T_object_table), std::make_shared<const ScannerImages>(computeScannerImages(*profile))};
 }
 
 AcquisitionSettings fewViews(int views) {

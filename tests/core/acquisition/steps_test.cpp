@@ -11,8 +11,8 @@ namespace {
 AcquisitionState addMisplaced(std::int64_t number) {
   AcquisitionState state;
   state.profile = testing::smallProfile();
-  SimulatedScanner scanner(testing::smallObject(), state.profile, {1, true});
-  const auto scanOf = [&](int position) { return std::make_shared<RangeImage>(scanner.scan(position, Progress())); };
+  const Rig rig = testing::simulation(testing::smallObject(), state.profile, {1, true});
+  const auto scanOf = [&](int position) { return std::make_shared<RangeImage>(scanFrom(rig, position, Progress())); };
   state = addScan(state, {0, scanOf(0)}, std::nullopt, stepOptionsFor(state), {});
   const auto misplaced = scanOf(2);
   misplaced->T_table_scanner = Eigen::Translation3d(1.8, 0.0, 0.0) * misplaced->T_table_scanner;

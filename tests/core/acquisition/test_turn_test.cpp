@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "base/errors.h"
+#include "scanner/hand_table.h"
 #include "support/meshes.h"
 #include "support/scenes/small_scene.h"
 
@@ -11,8 +12,8 @@ namespace {
 
 TestTurn turn(int from, int to, bool ideal) {
   const auto profile = testing::smallProfile();
-  SimulatedScanner scanner(testing::smallObject(), profile, {7, ideal});
-  return testTurn(scanner, *profile, from, to, {});
+  const Rig rig = testing::simulation(testing::smallObject(), profile, {7, ideal});
+  return testTurn(rig, *profile, from, to, {});
 }
 
 TEST(TestTurn, MeasuresTheTurnThatAPerfectTableMakes) {
@@ -27,8 +28,8 @@ TEST(TestTurn, MeasuresTheTurnThatAPerfectTableMakes) {
 TEST(TestTurn, FindsTheErrorThatTheMechanicsMade) {
   const auto profile = testing::smallProfile();
   const SimulationOptions options{7, false};
-  SimulatedScanner scanner(testing::smallObject(), profile, options);
-  const TestTurn result = testTurn(scanner, *profile, 0, 1, {});
+  const Rig rig = testing::simulation(testing::smallObject(), profile, options);
+  const TestTurn result = testTurn(rig, *profile, 0, 1, {});
   const SimulatedTable table(profile, options);
   const Pose truth = table.mechanicalError(1) * table.mechanicalError(0).inverse();
   const double error = std::atan2(truth.linear()(1, 0), truth.linear()(0, 0));
@@ -36,10 +37,27 @@ TEST(TestTurn, FindsTheErrorThatTheMechanicsMade) {
   EXPECT_NEAR(result.measured - result.expected, error, radians(0.15));
 }
 
+// A scan beside the second one that is 1.8 mm, nine sigmas of the small scanner's table, off.
+TEST(TestTurn, BelievesThePositionerInHowFarItMayBeOff) {
+  const auto profile = testing::smallProfile();
+  const auto turnOf = [&](std::optional<Mechanics> uncertainty) {
+    auto sloppy = std::make_shared<ScannerProfile>(*profile);
+    sloppy->workspace.poses[2] = Eigen::Translation3d(1.8, 0.0, 0.0) * sloppy->workspace.poses[2];
+    Rig rig = testing::simulation(testing::smallObject(), profile, {7, true});
+    const auto turn = [table = rig.positioner](int position, const Progress& progress) {
+      static_cast<void>(table->moveTo(position, progress));
+    };
+    rig.positioner = std::make_shared<HandTable>(sloppy, turn, uncertainty);
+    return testTurn(rig, *profile, 0, 2, {});
+  };
+  EXPECT_EQ(turnOf({}).registration.verdict, Verdict::Failed);
+  EXPECT_NE(turnOf(Mechanics{radians(1.0), 2.0}).registration.verdict, Verdict::Failed);
+}
+
 TEST(TestTurn, SaysWhenTheScannerSeesNothing) {
   const auto profile = testing::smallProfile();
-  SimulatedScanner scanner(testing::makeSphere(5, 8, {0, 0, 900}), profile, {7, true});
-  EXPECT_THROW(static_cast<void>(testTurn(scanner, *profile, 0, 1, {})), InvalidInput);
+  const Rig rig = testing::simulation(testing::makeSphere(5, 8, {0, 0, 900}), profile, {7, true});
+  EXPECT_THROW(static_cast<void>(testTurn(rig, *profile, 0, 1, {})), InvalidInput);
 }
 
 }  // namespace

@@ -6,7 +6,7 @@
 #include "integration/manifold.h"
 #include "scanner/profile.h"
 #include "scanner/ray_patterns.h"
-#include "scanner/simulated_scanner.h"
+#include "support/simulation.h"
 
 namespace vantage::testing {
 
@@ -42,11 +42,11 @@ std::vector<View> scanFrom(const Mesh& object, const std::vector<Direction>& dir
     pose.rotate(Eigen::AngleAxisd(-d.elevation, Vec3::UnitY()));
     profile->workspace.poses.push_back(pose);
   }
-  SimulatedScanner scanner(object, profile, {});
+  const Rig rig = simulation(object, profile);
   std::vector<View> views;
   for (int i = 0; i < static_cast<int>(directions.size()); ++i) {
     View view;
-    view.image = std::make_shared<const RangeImage>(scanner.scan(i, Progress()));
+    view.image = std::make_shared<const RangeImage>(scanFrom(rig, i, Progress()));
     view.mesh = std::make_shared<const ViewMesh>(triangulate(*view.image, TriangulationOptions()));
     view.T_object_scanner = view.image->T_table_scanner;
     views.push_back(std::move(view));

@@ -7,7 +7,6 @@
 #include "acquisition/steps.h"
 #include "base/errors.h"
 #include "positional_space/objective_sums.h"
-#include "scanner/simulated_scanner.h"
 #include "support/scenes/small_scene.h"
 
 namespace vantage {
@@ -21,9 +20,9 @@ struct TwoViews {
 
   TwoViews() : images(computeScannerImages(*testing::smallProfile())) {
     state.profile = testing::smallProfile();
-    SimulatedScanner scanner(testing::smallObject(), state.profile, {1, true});
+    const Rig rig = testing::simulation(testing::smallObject(), state.profile, {1, true});
     for (const int position : {0, 5}) {
-      auto image = std::make_shared<const RangeImage>(scanner.scan(position, {}));
+      auto image = std::make_shared<const RangeImage>(scanFrom(rig, position, {}));
       state = addScan(state, {position, image}, std::nullopt, stepOptionsFor(state), {});
     }
     plan = planAfter(state, images, stepOptionsFor(state), {});

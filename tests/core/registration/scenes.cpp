@@ -5,8 +5,8 @@
 
 #include "base/random.h"
 #include "scanner/ray_patterns.h"
-#include "scanner/simulated_scanner.h"
 #include "support/meshes.h"
+#include "support/simulation.h"
 
 namespace vantage::testing {
 
@@ -55,8 +55,8 @@ View viewOf(RangeImage image) {
 View scanFrom(const Mesh& object, const std::shared_ptr<const ScannerProfile>& profile, int position, unsigned seed) {
   SimulationOptions options;
   options.seed = seed;
-  SimulatedScanner scanner(object, profile, options);
-  return viewOf(scanner.scan(position, Progress()));
+  const Rig rig = simulation(object, profile, options);
+  return viewOf(scanFrom(rig, position, Progress()));
 }
 
 View scanVase(const std::shared_ptr<const ScannerProfile>& profile, int position, unsigned seed) {

@@ -78,8 +78,9 @@ class Walk {
   void add(const AcquisitionState& state) {
     const KeptScan* last = lastView(state);
     const int position = last == nullptr ? 0 : (last->station().position.value() + 2) % 24;
-    SimulatedScanner scanner(testing::smallObject(), session_.profile(), {}, static_cast<int>(session_.scanCount()));
-    apply(AddScan{session_.keepScan(scanner.scan(position, Progress())).number, {}});
+    const Rig rig =
+        testing::simulation(testing::smallObject(), session_.profile(), {}, static_cast<int>(session_.scanCount()));
+    apply(AddScan{session_.keepScan(scanFrom(rig, position, Progress())).number, {}});
     ++added_;
   }
 
@@ -90,7 +91,7 @@ class Walk {
   }
 
   void apply(const Command& command) {
-    Acquisition(session_, {nullptr, images_}).carryOut(command);
+    Acquisition(session_, {{}, images_}).carryOut(command);
     expected_.resize(++at_);
     expected_.push_back(stateHash(*session_.state()));
   }

@@ -1,12 +1,10 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include <atomic>
 #include <filesystem>
+#include <functional>
 #include <new>
-#include <thread>
 
-#include "acquisition/patient_scanner.h"
 #include "base/errors.h"
 #include "core/io/expect_error.h"
 #include "faulty_storage.h"
@@ -54,25 +52,34 @@ class SessionFaults : public ::testing::Test {
   TemporaryFolder folder_;
 };
 
-// An acquisition whose second scan meets with something.
-template <typename Meet>
-void acquireMeeting(Session& session, const Meet& meet) {
-  class Scanner final : public ScannerDevice {
-   public:
-    Scanner(Session& session, const Meet& meet)
-        : scanner_(session.object(), session.profile(), {}, static_cast<int>(session.scanCount())), meet_(meet) {}
-    RangeImage scan(int position, const Progress& progress) override {
-      if (++scans_ == 2) meet_();
-      return scanner_.scan(position, progress);
-    }
+// Before every capture it is asked, by the number of the capture from 1, which sensor is to take it.
+class ChosenSensor final : public RangeSensor {
+ public:
+  using Choose = std::function<RangeSensor&(int capture)>;
+  explicit ChosenSensor(Choose choose) : choose_(std::move(choose)) {}
 
-   private:
-    SimulatedScanner scanner_;
-    const Meet& meet_;
-    int scans_ = 0;
+  [[nodiscard]] std::string identity() const override { return "chosen sensor"; }
+  void open(const Progress& /*progress*/) override {}
+  void close() noexcept override {}
+  [[nodiscard]] std::optional<std::string> notReady() const override { return {}; }
+  [[nodiscard]] RangeImage capture(const Progress& progress) override { return choose_(++captures_).capture(progress); }
+
+ private:
+  Choose choose_;
+  int captures_ = 0;
+};
+
+// An acquisition whose second scan meets with something.
+void acquireMeeting(Session& session, const std::function<void()>& meet) {
+  const Rig simulated =
+      testing::simulation(session.object(), session.profile(), {}, static_cast<int>(session.scanCount()));
+  const auto meeting = [&](int capture) -> RangeSensor& {
+    if (capture == 2) meet();
+    return *simulated.sensor;
   };
+  const Rig rig{std::make_shared<ChosenSensor>(meeting), simulated.positioner};
   const auto images = std::make_shared<const ScannerImages>(computeScannerImages(*session.profile()));
-  Acquisition(session, {std::make_shared<Scanner>(session, meet), images}).runUntilTheEnd();
+  Acquisition(session, {rig, images}).runUntilTheEnd();
 }
 
 TEST_F(SessionFaults, ADiskThatRunsFullAtAnyWriteLosesNothingThatWasReported) {
@@ -102,8 +109,7 @@ TEST_F(SessionFaults, ADiskThatRunsFullAtAnyWriteLosesNothingThatWasReported) {
 TEST_F(SessionFaults, ARecordedScanThatFoundNoRoomIsKeptWithItsRaysLater) {
   testing::FaultyStorage storage;
   Session session = Session::create(path(), {std::nullopt, {}, nullptr});
-  SimulatedScanner scanner(testing::smallObject(), testing::smallProfile(), {});
-  RangeImage image = scanner.scan(0, Progress());
+  RangeImage image = scanFrom(testing::simulation(testing::smallObject(), testing::smallProfile()), 0, Progress());
   image.station.position.reset();
   storage.fillAfter(0);
   expectError<IoError>([&] { session.keepScan(image); }, {"disk is full"});
@@ -138,23 +144,20 @@ TEST_F(SessionFaults, AnInterruptionInTheMiddleOfAStepKeepsItsScan) {
 }
 
 TEST_F(SessionFaults, AScanThatCannotBeRegisteredIsKeptAsRejected) {
-  class Swapped final : public ScannerDevice {
-   public:
-    explicit Swapped(const std::shared_ptr<const ScannerProfile>& profile)
-        : first_(testing::smallObject(), profile, {}),
-          other_(testing::makeBox({-10, -40, 70}, {40, -20, 90}, 4), profile, {}) {}
-    RangeImage scan(int position, const Progress& progress) override {
-      return scans_++ == 0 ? first_.scan(position, progress) : other_.scan(position, progress);
-    }
-
-   private:
-    SimulatedScanner first_;
-    SimulatedScanner other_;
-    int scans_ = 0;
-  };
   Session session = createSmallSession(path(), threeViews());
+  const auto table = std::make_shared<SimulatedTable>(session.profile(), SimulationOptions());
+  const auto before = [&](Mesh object) {
+    auto sensor = std::make_shared<SimulatedSensor>(std::make_shared<const Mesh>(std::move(object)), session.profile(),
+                                                    SimulationOptions(), table);
+    sensor->open({});
+    return sensor;
+  };
+  const auto right = before(testing::smallObject());
+  const auto wrong = before(testing::makeBox({-10, -40, 70}, {40, -20, 90}, 4));
+  const auto swapped = [&](int capture) -> RangeSensor& { return capture == 1 ? *right : *wrong; };
+  const Rig rig{std::make_shared<ChosenSensor>(swapped), table};
   const auto images = std::make_shared<const ScannerImages>(computeScannerImages(*session.profile()));
-  Acquisition acquisition(session, {std::make_shared<Swapped>(session.profile()), images});
+  Acquisition acquisition(session, {rig, images});
   EXPECT_EQ(acquisition.runUntilTheEnd(), Termination::RegistrationFailed);
   const AcquisitionState end = *session.state();
   const auto rejected = scansOf(end, ScanStatus::Rejected);
@@ -199,52 +202,6 @@ TEST_F(SessionFaults, AFolderThatCannotBeWrittenToSaysSoAndIsRead) {
   EXPECT_EQ(countScans(*Session::open(path(), SessionAccess::Read).state(), ScanStatus::In), 3U);
   ASSERT_TRUE(!root || seteuid(0) == 0);
   std::filesystem::permissions(folder, std::filesystem::perms(0755));
-}
-
-// A turntable that stops, until it is let go; with progress that it shows meanwhile.
-class StuckScanner final : public ScannerDevice {
- public:
-  explicit StuckScanner(std::shared_ptr<std::atomic<bool>> go, bool alive) : go_(std::move(go)), alive_(alive) {}
-  RangeImage scan(int position, const Progress& progress) override {
-    while (!*go_) {
-      std::this_thread::sleep_for(std::chrono::milliseconds(5));
-      if (alive_) progress.checkpoint(0.5);
-    }
-    RangeImage image;
-    image.station.position = position;
-    return image;
-  }
-
- private:
-  std::shared_ptr<std::atomic<bool>> go_;
-  bool alive_;
-};
-
-TEST(PatientScanner, GivesUpADeviceThatShowsNoSignOfLife) {
-  const auto go = std::make_shared<std::atomic<bool>>(false);
-  PatientScanner scanner(std::make_shared<StuckScanner>(go, false), std::chrono::milliseconds(100));
-  expectError<DeviceError>([&] { static_cast<void>(scanner.scan(7, {})); }, {"not answered", "position 7"});
-  expectError<DeviceError>([&] { static_cast<void>(scanner.scan(7, {})); }, {"start it again"});
-  *go = true;
-}
-
-TEST(PatientScanner, WaitsForADeviceThatShowsProgress) {
-  const auto go = std::make_shared<std::atomic<bool>>(false);
-  PatientScanner scanner(std::make_shared<StuckScanner>(go, true), std::chrono::milliseconds(200));
-  std::jthread later([&] {
-    std::this_thread::sleep_for(std::chrono::milliseconds(600));
-    *go = true;
-  });
-  EXPECT_EQ(scanner.scan(7, {}).station.position, 7);
-}
-
-TEST(PatientScanner, IsCancelledEvenWhenTheDeviceDoesNotListen) {
-  const auto go = std::make_shared<std::atomic<bool>>(false);
-  PatientScanner scanner(std::make_shared<StuckScanner>(go, false), std::chrono::hours(1));
-  std::stop_source stop;
-  std::jthread later([&] { stop.request_stop(); });
-  EXPECT_THROW(static_cast<void>(scanner.scan(7, Progress({}, stop.get_token(), 1))), Cancelled);
-  *go = true;
 }
 
 }  // namespace

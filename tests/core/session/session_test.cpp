@@ -117,7 +117,7 @@ TEST_F(SessionTest, UndoAndRedoSurviveReopening) {
 TEST_F(SessionTest, LeavesViewsOutAndTakesThemBack) {
   static_cast<void>(saveTwoViews());
   Session session = Session::open(path(), SessionAccess::Write);
-  Acquisition acquisition(session, {nullptr, testing::smallTools(session.profile()).images});
+  Acquisition acquisition(session, {{}, testing::smallTools(session.profile()).images});
   const auto whole = session.state();
   acquisition.carryOut(LeaveOutView{0});
   EXPECT_EQ(countScans(*session.state(), ScanStatus::In), 1U);
@@ -168,8 +168,8 @@ TEST_F(SessionTest, HasTheModelOfEveryStepInItsFileWhenItHasSettled) {
 TEST_F(SessionTest, AScanThatWasNotYetAddedIsUsedBeforeAnotherIsTaken) {
   const AcquisitionState whole = saveTwoViews();
   Session session = createSmallSession(path(), twoViews());
-  SimulatedScanner scanner(testing::smallObject(), session.profile(), {});
-  EXPECT_EQ(session.keepScan(scanner.scan(0, Progress())).number, 0);
+  const Rig rig = testing::simulation(testing::smallObject(), session.profile());
+  EXPECT_EQ(session.keepScan(scanFrom(rig, 0, Progress())).number, 0);
   ASSERT_TRUE(session.unusedScan());
   static_cast<void>(runSmallSession(session));
   EXPECT_EQ(session.scanCount(), 2);
@@ -179,8 +179,8 @@ TEST_F(SessionTest, AScanThatWasNotYetAddedIsUsedBeforeAnotherIsTaken) {
 
 TEST_F(SessionTest, AScanOfAPositionThatDoesNotExistIsRefused) {
   Session session = createSmallSession(path(), twoViews());
-  SimulatedScanner scanner(testing::smallObject(), session.profile(), {});
-  RangeImage image = scanner.scan(0, Progress());
+  const Rig rig = testing::simulation(testing::smallObject(), session.profile());
+  RangeImage image = scanFrom(rig, 0, Progress());
   image.station.position = 24;
   expectError<InvalidInput>([&] { session.keepScan(image); }, {"test.vantage", "position 24"});
   EXPECT_EQ(session.scanCount(), 0);
@@ -213,9 +213,9 @@ TEST_F(SessionTest, IsCopiedWithPagesOfAnySize) {
 
 TEST_F(SessionTest, KeepsTheRaysOfRecordedScansOnce) {
   const auto profile = testing::smallProfile();
-  SimulatedScanner scanner(testing::smallObject(), profile, {});
+  const Rig rig = testing::simulation(testing::smallObject(), profile);
   Session session = Session::create(path(), {std::nullopt, {}, nullptr});
-  RangeImage image = scanner.scan(3, Progress());
+  RangeImage image = scanFrom(rig, 3, Progress());
   image.station.position.reset();
   static_cast<void>(session.keepScan(image));
   static_cast<void>(session.keepScan(image));

@@ -1,7 +1,7 @@
 #include "scenes.h"
 
-#include "scanner/simulated_scanner.h"
 #include "support/meshes.h"
+#include "support/simulation.h"
 
 namespace vantage::testing {
 
@@ -36,9 +36,9 @@ Mesh makeStep() {
 View scanView(const Mesh& object, const std::shared_ptr<const ScannerProfile>& profile, int position) {
   SimulationOptions ideal;
   ideal.ideal = true;
-  SimulatedScanner scanner(object, profile, ideal);
+  const Rig rig = simulation(object, profile, ideal);
   View view;
-  view.image = std::make_shared<const RangeImage>(scanner.scan(position, {}));
+  view.image = std::make_shared<const RangeImage>(scanFrom(rig, position, {}));
   view.mesh = std::make_shared<const ViewMesh>(triangulate(*view.image, {}));
   view.T_object_scanner = view.image->T_table_scanner;
   return view;

@@ -31,8 +31,8 @@ Mesh smallObject() {
 
 AcquisitionTools smallTools(const std::shared_ptr<const ScannerProfile>& profile, const AcquisitionSettings& settings,
                             int scansBefore) {
-  const SimulationOptions simulation{settings.seed, settings.ideal};
-  return {std::make_shared<SimulatedScanner>(smallObject(), profile, simulation, scansBefore),
+  const SimulationOptions options{settings.seed, settings.ideal};
+  return {simulation(smallObject(), profile, options, scansBefore),
           std::make_shared<const ScannerImages>(computeScannerImages(*profile))};
 }
 

@@ -3,8 +3,8 @@
 #include <memory>
 
 #include "acquisition/acquisition.h"
-#include "scanner/simulated_scanner.h"
 #include "session/session.h"
+#include "support/simulation.h"
 
 namespace vantage::testing {
 

@@ -1,0 +1,32 @@
+#include "devices/device_factory.h"
+
+#include <utility>
+
+#include "scanner/patient_devices.h"
+
+namespace vantage {
+namespace {
+
+// One kind of set-up each.
+struct Making {
+  std::int64_t scansBefore;
+
+  Rig operator()(const Simulated& setUp) const {
+    return simulatedRig(setUp.object, setUp.profile, setUp.options, static_cast<int>(scansBefore));
+  }
+};
+
+}  // namespace
+
+Rig makeDevices(const DeviceSetUp& setUp, std::int64_t scansBefore) {
+  return std::visit(Making{scansBefore}, setUp);
+}
+
+DeviceFactory::DeviceFactory(std::chrono::milliseconds patience, Maker make)
+    : patience_(patience), make_(std::move(make)) {}
+
+Rig DeviceFactory::open(const DeviceSetUp& setUp, std::int64_t scansBefore, const Progress& progress) const {
+  return opened(withPatience(make_(setUp, scansBefore), patience_), progress);
+}
+
+}  // namespace vantage
