@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstdint>
 #include <vector>
 
 #include "positional_space/positional_image.h"
@@ -12,16 +11,5 @@ namespace vantage {
 /// the confidence-weighted area that the scanner at x_i samples [mm^2].
 /// @throws InvalidInput when the image belongs to other scanner images.
 [[nodiscard]] std::vector<double> intersect(const PositionalImage& image, const ScannerImages& scanner);
-
-/// A source that a position sees.
-struct SeenSource {
-  std::uint32_t source = 0;
-  float confidence = 0.0F;  ///< c(o); the best when it is seen through several cells
-};
-
-/// For every position the sources that it sees, ascending.
-/// @throws InvalidInput when the image does not keep its sightings or belongs to other scanner images.
-[[nodiscard]] std::vector<std::vector<SeenSource>> seenSources(const PositionalImage& image,
-                                                               const ScannerImages& scanner);
 
 }  // namespace vantage

@@ -47,8 +47,9 @@ struct PositionalImage {
 };
 
 struct AccumulationOptions {
-  bool keepSightings = false;   ///< remember which source was seen in which cell
-  double surfaceOffset = 0.05;  ///< [mm] observation rays begin this far in front of their source
+  bool keepSightings = false;  ///< remember which source was seen in which cell
+  /// Observation rays begin this far in front of their source, so that surface it lies on does not hide it [mm].
+  double surfaceOffset = 0.0;
 };
 
 /// Projects the observation rays of every source: for each cell of the surface that lies within the breakdown angle of

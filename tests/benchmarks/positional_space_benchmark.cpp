@@ -25,6 +25,7 @@ constexpr std::size_t kPacket = 256;
 // Rays of the raw side per chunk of work: about those of a chunk of sources.
 constexpr std::size_t kRaysPerChunk = 64 * kPacket;
 const double kBreakdown = radians(60.0);
+constexpr AccumulationOptions kOptions{.keepSightings = false, .surfaceOffset = 0.05};
 
 // A (2, 3) torus knot with a wavy tube, 60 mm about the middle of the viewing volume: 2 * around * along triangles.
 Mesh makeKnot(int along, int around) {
@@ -109,13 +110,13 @@ void compareWithRaw(const char* name, const ScannerImages& images, const std::ve
                     const RayCaster& obstacles) {
   ObservationBatch batch;
   const CellLookup lookup(images);
-  ObservationRays generator(images, lookup, kBreakdown, {});
+  ObservationRays generator(images, lookup, kBreakdown, kOptions);
   for (std::size_t s = 0; s < sources.size(); ++s) generator.append(sources[s], static_cast<std::uint32_t>(s), batch);
   const double rays = static_cast<double>(batch.rays.size());
   for (const int threads : {1, 2}) {
     const Progress progress(nullptr, {}, threads);
     const auto t = medians({[&] { traceRaw(batch.rays, obstacles, progress); },
-                            [&] { (void)accumulate(sources, obstacles, images, kBreakdown, {}, progress); }});
+                            [&] { (void)accumulate(sources, obstacles, images, kBreakdown, kOptions, progress); }});
     std::printf("%-28s threads %d  rays/source %6.1f  raw %6.2f Mrays/s  accumulation %6.2f Mrays/s  share %.3f\n",
                 name, threads, rays / static_cast<double>(sources.size()), rays / t[0] / 1e6, rays / t[1] / 1e6,
                 t[0] / t[1]);
@@ -142,8 +143,8 @@ int main() {
   const Progress two(nullptr, {}, 2);
   PositionalImage ofFew;
   PositionalImage ofMany;
-  const auto t = medians({[&] { ofFew = accumulate(all, obstacles, few, kBreakdown, {}, two); },
-                          [&] { ofMany = accumulate(all, obstacles, many, kBreakdown, {}, two); },
+  const auto t = medians({[&] { ofFew = accumulate(all, obstacles, few, kBreakdown, kOptions, two); },
+                          [&] { ofMany = accumulate(all, obstacles, many, kBreakdown, kOptions, two); },
                           [&] { (void)intersect(ofFew, few); }, [&] { (void)intersect(ofMany, many); }});
   std::printf("P of the whole model, with lines of sight, 2 threads: 90 positions %.3f s, 900 positions %.3f s\n", t[0],
               t[1]);
