@@ -17,7 +17,7 @@ struct Text {
 // The most that a position which may be scanned from would show.
 QString stillShown(const AcquisitionState& state) {
   if (!state.plan || state.plan->outcome != PlanOutcome::Found) return {};
-  const PositionScore& best = state.plan->scores[static_cast<std::size_t>(state.plan->position)];
+  const PositionScore& best = state.plan->scores[static_cast<std::size_t>(state.plan->position.value())];
   return Text::tr(" Position %1 would still show %2.").arg(best.position).arg(areaText(promise(best)));
 }
 

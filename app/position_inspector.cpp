@@ -1,26 +1,28 @@
 #include "position_inspector.h"
 
+#include <utility>
+
+#include "acquisition/steps.h"
+
 namespace vantage {
 namespace {
 
-double meanSpacing(const std::vector<View>& views) {
-  double sum = 0.0;
-  for (const View& view : views) sum += view.mesh->spacing;
-  return sum / static_cast<double>(views.size());
-}
-
 struct Computed {
+  std::shared_ptr<const PlanningScene> scene;
   std::shared_ptr<const PositionSight> sight;
   std::shared_ptr<const ScannerPicture> picture;
 };
 
-Computed compute(const AcquisitionState& state, const Plan& plan, int position, const Progress& progress) {
-  const Pose& pose = state.profile->workspace.poses[static_cast<std::size_t>(position)];
+Computed compute(const AcquisitionState& state, const Plan& plan, std::shared_ptr<const PlanningScene> scene,
+                 int position, const Progress& progress) {
+  if (!scene)
+    scene = std::make_shared<const PlanningScene>(planInputOf(state), plan.voids, stepOptionsFor(state).planner,
+                                                  progress.part(0.0, 0.4));
   Computed result;
-  result.sight = std::make_shared<const PositionSight>(lookFrom(pose, plan.voids->patches, *state.model, *state.profile,
-                                                                meanSpacing(viewsOf(state)), progress.part(0.0, 0.5)));
-  result.picture = std::make_shared<const ScannerPicture>(
-      computeScannerPicture(*state.profile, position, *state.model, plan.voids.get(), progress.part(0.5, 1.0)));
+  result.sight = std::make_shared<const PositionSight>(computePositionSight(*scene, position, progress.part(0.4, 0.6)));
+  result.picture =
+      std::make_shared<const ScannerPicture>(computeScannerPicture(*scene, position, progress.part(0.6, 1.0)));
+  result.scene = std::move(scene);
   return result;
 }
 
@@ -33,10 +35,16 @@ void PositionInspector::inspect(const std::shared_ptr<const AcquisitionState>& s
   insight_ = PositionInsight{explain(*plan, position), plan, nullptr, nullptr};
   emit changed();
   if (!plan->voids || !state->model) return;
+  if (scenePlan_ != plan) scene_.reset();
+  scenePlan_ = plan;
   job_ = jobs_.run<Computed>(
-      {}, [state, plan, position](const Progress& progress) { return compute(*state, *plan, position, progress); },
+      {},
+      [state, plan, scene = scene_, position](const Progress& progress) {
+        return compute(*state, *plan, scene, position, progress);
+      },
       [this, question = ++question_](JobResult<Computed> result) {
         if (question != question_ || !result.value || !insight_) return;
+        scene_ = std::move(result.value->scene);
         insight_->sight = std::move(result.value->sight);
         insight_->picture = std::move(result.value->picture);
         emit changed();

@@ -41,6 +41,8 @@ class PositionInspector final : public QObject {
  private:
   JobRunner& jobs_;
   std::optional<PositionInsight> insight_;
+  std::shared_ptr<const Plan> scenePlan_;       // what the scene was made of
+  std::shared_ptr<const PlanningScene> scene_;  // null until the first question about the plan is answered
   JobRunner::Id job_ = 0;
   int question_ = 0;
 };

@@ -18,11 +18,11 @@ struct PlanPictures {
 
 PlanPictures computePictures(const ViewSnapshot& snapshot, const Progress& progress) {
   const AcquisitionState& state = *snapshot.state;
-  const PlanInput input{*state.profile, *snapshot.scannerImages, *state.model, snapshot.views,
-                        snapshot.current().value_or(-1)};
+  const PlanningScene scene(planInputOf(state), snapshot.plan->voids, stepOptionsFor(state).planner,
+                            progress.part(0.0, 0.4));
   PlanPictures pictures;
-  pictures.images = std::make_shared<const PlanImages>(
-      computePlanImages(input, *snapshot.plan->voids, stepOptionsFor(state).planner, progress.part(0.0, 0.9)));
+  pictures.images =
+      std::make_shared<const PlanImages>(computePlanImages(scene, *snapshot.scannerImages, progress.part(0.4, 0.9)));
   pictures.links = std::make_shared<const PositionalLinks>(*snapshot.scannerImages, *pictures.images);
   return pictures;
 }

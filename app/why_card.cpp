@@ -86,10 +86,9 @@ QString difference(double value, double other, const QString& more, const QStrin
 }
 
 QString comparisonOf(const Explanation& why) {
-  if (why.rival < 0)
-    return why.constraint == Constraint::Chosen ? Text::tr("No other position is allowed.") : QString();
-  const QString who = why.constraint == Constraint::Chosen ? Text::tr("The runner-up, position %1,").arg(why.rival)
-                                                           : Text::tr("The chosen position %1").arg(why.rival);
+  if (!why.rival) return why.constraint == Constraint::Chosen ? Text::tr("No other position is allowed.") : QString();
+  const QString who = why.constraint == Constraint::Chosen ? Text::tr("The runner-up, position %1,").arg(*why.rival)
+                                                           : Text::tr("The chosen position %1").arg(*why.rival);
   return Text::tr("%1 shows %2 and overlaps %3.")
       .arg(who, difference(why.rivalPromise, why.promise, Text::tr("more"), Text::tr("less")),
            difference(why.rivalOverlap, why.overlapArea, Text::tr("more"), Text::tr("less")));

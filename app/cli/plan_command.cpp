@@ -33,7 +33,7 @@ std::string scoreText(const PositionScore& s) {
 
 nlohmann::ordered_json planJson(const Plan& plan, const PlanArguments& args) {
   nlohmann::ordered_json json{{"outcome", name(plan.outcome)},
-                              {"position", plan.position},
+                              {"position", plan.position.value_or(-1)},
                               {"least_overlap_mm2", plan.leastOverlap},
                               {"relaxations", plan.relaxations},
                               {"termination_threshold_mm2", plan.terminationThreshold},
@@ -51,7 +51,7 @@ nlohmann::ordered_json planJson(const Plan& plan, const PlanArguments& args) {
 
 std::string planText(const Plan& plan, const PlanArguments& args) {
   std::string text = plan.outcome == PlanOutcome::Found
-                         ? "next best view: position " + std::to_string(plan.position) + "\n"
+                         ? "next best view: position " + std::to_string(plan.position.value()) + "\n"
                          : std::string(name(plan.outcome)) + "\n";
   text += "t = " + number(plan.leastOverlap, 1) + " mm2, F = " + number(plan.terminationThreshold, 1) + " mm2\n";
   if (plan.voidLeft > 0.0)

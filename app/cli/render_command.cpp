@@ -69,11 +69,12 @@ SharedSnapshot snapshotFor(const RenderArguments& args, const Session& session, 
     plan = std::make_shared<const Plan>(
         planAfter(*state, *images, stepOptionsFor(*state), context.progress().part(0.3, 0.6)));
   std::shared_ptr<const PlanImages> planImages;
-  const std::vector<View> views = viewsOf(*state);
-  if (args.view == "ps-void" || args.view == "ps-seen")
-    planImages = std::make_shared<const PlanImages>(
-        computePlanImages({*state->profile, *images, *state->model, views, -1}, *plan->voids,
-                          stepOptionsFor(*state).planner, context.progress().part(0.6, 0.9, "project")));
+  if (args.view == "ps-void" || args.view == "ps-seen") {
+    const Progress progress = context.progress().part(0.6, 0.9, "project");
+    const PlanningScene scene(planInputOf(*state), plan->voids, stepOptionsFor(*state).planner,
+                              progress.part(0.0, 0.4));
+    planImages = std::make_shared<const PlanImages>(computePlanImages(scene, *images, progress.part(0.4, 1.0)));
+  }
   auto snapshot = std::make_shared<ViewSnapshot>(*makeSnapshot(state, images, planImages));
   snapshot->plan = plan;
   return snapshot;

@@ -28,8 +28,8 @@ std::string viewLine(const AcquisitionState& state, const KeptScan& scan) {
                      " mm2, registration " + std::string(name(record.registration.verdict));
   if (views > 1) line += " (" + number(record.registration.rms, 3) + " mm)";
   if (record.planAfter && record.planAfter->outcome == PlanOutcome::Found)
-    line += ", next " + std::to_string(record.planAfter->position) + " for " +
-            number(promise(record.planAfter->scores[static_cast<std::size_t>(record.planAfter->position)]), 0) +
+    line += ", next " + std::to_string(record.planAfter->position.value()) + " for " +
+            number(promise(record.planAfter->scores[static_cast<std::size_t>(record.planAfter->position.value())]), 0) +
             " mm2 of void";
   return line;
 }

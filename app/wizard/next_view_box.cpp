@@ -98,11 +98,11 @@ void NextViewBox::refreshCost() {
   const auto plan = controller_.now() ? controller_.now()->plan : nullptr;
   const auto other = controller_.explained(other_->value());
   if (!plan || !other) return cost_->setText(tr("After the first scan every position is compared here."));
-  if (plan->position < 0) return cost_->setText(tr("It would show %1.").arg(areaText(other->promise)));
+  if (!plan->position) return cost_->setText(tr("It would show %1.").arg(areaText(other->promise)));
   if (controller_.nextPosition() == other->position && plan->position != other->position)
     return cost_->setText(tr("The next scan is taken from here."));
   if (plan->position == other->position) return cost_->setText(tr("This is the proposed position."));
-  const auto best = controller_.explained(plan->position);
+  const auto best = controller_.explained(*plan->position);
   const double lost = best->promise - other->promise;
   QString text = lost >= 0 ? tr("Shows %1 less than the proposal").arg(areaText(lost))
                            : tr("Shows %1 more than the proposal").arg(areaText(-lost));

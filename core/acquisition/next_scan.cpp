@@ -30,7 +30,8 @@ NextScan fromPlan(const Plan& plan, const AcquisitionState& state) {
   if (plan.outcome == PlanOutcome::NoOverlap) return Ended{Termination::NoOverlap};
   if (static_cast<int>(countScans(state, ScanStatus::In)) >= state.settings.maxViews)
     return Ended{Termination::MaxViews};
-  return ScanFrom{plan.position, plan.scores[static_cast<std::size_t>(plan.position)]};
+  const int position = plan.position.value();
+  return ScanFrom{position, plan.scores[static_cast<std::size_t>(position)]};
 }
 
 // How often the object was scanned in its stand of now.

@@ -192,22 +192,21 @@ AcquisitionState placeStand(const AcquisitionState& state, int stand, const Pose
   return next;
 }
 
-std::vector<int> takenPositions(const AcquisitionState& state) {
-  std::vector<int> taken;
+PlanInput planInputOf(const AcquisitionState& state) {
+  PlanInput input{state.profile, state.model, viewsOf(state), {}, {}, Pose::Identity()};
+  if (const auto& T_object_table = state.stands.back().T_object_table) input.T_object_table = *T_object_table;
   for (const KeptScan* scan : scansOf(state, ScanStatus::In))
-    if (scan->station().stand == state.stand() && scan->station().position) taken.push_back(*scan->station().position);
-  return taken;
+    if (scan->station().stand == state.stand() && scan->station().position)
+      input.taken.push_back(*scan->station().position);
+  if (const KeptScan* last = lastView(state, state.stand())) input.current = last->station().position;
+  return input;
 }
 
 Plan planAfter(const AcquisitionState& state, const ScannerImages& images, const StepOptions& options,
                const Progress& progress) {
   if (!state.stands.back().T_object_table)
     throw InvalidInput("it is not known how the object stands, so no view can be planned");
-  const std::vector<View> views = viewsOf(state);
-  const KeptScan* last = lastView(state, state.stand());
-  const int current = last == nullptr ? -1 : last->station().position.value_or(-1);
-  const std::vector<int> taken = takenPositions(state);
-  return planNextView({*state.profile, images, *state.model, views, current, taken}, options.planner, progress);
+  return planNextView(planInputOf(state), images, options.planner, progress);
 }
 
 }  // namespace vantage

@@ -60,8 +60,9 @@ struct StepOptions {
 /// @pre the pose of the scan's stand is known
 [[nodiscard]] Pose expectedPose(const AcquisitionState& state, const RangeImage& image);
 
-/// The positions that views of the stand of now were taken from.
-[[nodiscard]] std::vector<int> takenPositions(const AcquisitionState& state);
+/// What a plan for the stand of now is made from, and what explains it.
+/// @pre the state has a profile and a model
+[[nodiscard]] PlanInput planInputOf(const AcquisitionState& state);
 
 /// The plan for the stand of now. @pre there is a view, and the pose of the stand is known
 [[nodiscard]] Plan planAfter(const AcquisitionState& state, const ScannerImages& images, const StepOptions& options,

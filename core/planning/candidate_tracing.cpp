@@ -1,17 +1,20 @@
 #include "planning/candidate_tracing.h"
 
+#include <algorithm>
+
 #include "planning/patch_promise.h"
+#include "registration/motion_information.h"
+#include "registration/pose_prior.h"
 
 namespace vantage {
 
-void traceVoid(PositionScore& score, const Pose& T_object_scanner, std::span<const VoidPatch> patches,
-               const PatchHistory& history, const SightTest& sight, std::optional<double> breakdownAngle) {
+void traceVoid(PositionScore& score, const PlanningScene& scene) {
+  const Pose& T_table_scanner = scene.pose(score.position);
   double sum = 0.0;
   score.patches.clear();
-  for (std::size_t p = 0; p < patches.size(); ++p) {
-    if (history.answered(p)) continue;
-    const Sight s = lookAt(sight, T_object_scanner, patches[p], breakdownAngle);
-    const double promised = patchPromise(patches[p], p, history, s, breakdownAngle);
+  for (std::size_t p = 0; p < scene.patches().size(); ++p) {
+    if (scene.history().answered(p)) continue;
+    const double promised = patchPromise(scene, p, sightOf(scene, T_table_scanner, p));
     if (promised <= 0.0) continue;
     sum += promised;
     score.patches.push_back(static_cast<std::uint32_t>(p));
@@ -19,16 +22,32 @@ void traceVoid(PositionScore& score, const Pose& T_object_scanner, std::span<con
   score.tracedVoidArea = sum;
 }
 
-Overlap traceOverlap(const Pose& T_object_scanner, std::span<const SurfaceElement> elements, const SightTest& sight) {
+Overlap traceOverlap(const PlanningScene& scene, int position, std::span<const SurfaceElement> elements) {
+  const Pose& T_table_scanner = scene.pose(position);
   Overlap overlap;
   for (const SurfaceElement& e : elements) {
-    const Sight s = sight.look(T_object_scanner, e.centre, e.normal);
+    const Sight s = scene.sight().look(T_table_scanner, e.centre, e.normal);
     if (s.visibility != Visibility::Seen) continue;
     overlap.points.push_back(e.centre);
     overlap.normals.push_back(e.normal);
     overlap.areas.push_back(e.area * s.cosine);
   }
   return overlap;
+}
+
+void predictRegistration(PositionScore& score, const PlanningScene& scene, std::span<const SurfaceElement> elements) {
+  const PlannerOptions& options = scene.options();
+  const double spacing = scene.spacing();
+  const Overlap overlap = traceOverlap(scene, score.position, elements);
+  std::vector<double> pairs;
+  pairs.reserve(overlap.areas.size());
+  for (const double a : overlap.areas) pairs.push_back(a / (spacing * spacing * options.pairsPerObservation));
+  StabilityOptions stability;
+  stability.noiseSigma = std::max(scene.profile().noise.rangeSigma, options.leastRangeSigma * spacing);
+  stability.prior = turntablePrior(scene.profile().mechanics);
+  const Stability predicted = analyseStability(overlap.points, overlap.normals, pairs, stability);
+  score.poseSigma = predicted.poseSigma;
+  score.weakMotions = predicted.weakMotions;
 }
 
 }  // namespace vantage

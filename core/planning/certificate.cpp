@@ -1,7 +1,6 @@
 #include "planning/certificate.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "base/parallel.h"
 #include "planning/patch_promise.h"
@@ -30,29 +29,30 @@ EdgeReason reasonFor(Visibility best, double promise, int looks) {
   return looks > 0 ? EdgeReason::Answered : EdgeReason::TooSteep;
 }
 
+PatchOutlook outlookOf(const PlanningScene& scene, std::size_t patch, std::span<const Pose> positions) {
+  const int looks = scene.history().looks(patch);
+  PatchOutlook outlook;
+  outlook.looks = static_cast<std::uint8_t>(std::min(looks, 255));
+  outlook.answered = scene.history().answered(patch);
+  if (outlook.answered) outlook.reason = EdgeReason::Answered;
+  if (outlook.answered || positions.empty()) return outlook;
+  Visibility best = Visibility::OutOfReach;
+  for (const Pose& pose : positions) {
+    const Sight s = sightOf(scene, pose, patch);
+    best = std::max(best, s.visibility);
+    outlook.promise = std::max(outlook.promise, patchPromise(scene, patch, s));
+  }
+  outlook.reason = reasonFor(best, outlook.promise, looks);
+  return outlook;
+}
+
 }  // namespace
 
-std::vector<PatchOutlook> certify(std::span<const VoidPatch> patches, const PatchHistory& history,
-                                  std::span<const Pose> positions, const SightTest& sight,
-                                  std::optional<double> breakdownAngle, const Progress& progress) {
-  std::vector<PatchOutlook> outlook(patches.size());
-  parallelChunks(patches.size(), kGrain, progress, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t p = begin; p < end; ++p) {
-      outlook[p].looks = static_cast<std::uint8_t>(std::min(history.looks(p), 255));
-      outlook[p].answered = history.answered(p);
-      if (outlook[p].answered) {
-        outlook[p].reason = EdgeReason::Answered;
-        continue;
-      }
-      if (positions.empty()) continue;
-      Visibility best = Visibility::OutOfReach;
-      for (const Pose& pose : positions) {
-        const Sight s = lookAt(sight, pose, patches[p], breakdownAngle);
-        best = std::max(best, s.visibility);
-        outlook[p].promise = std::max(outlook[p].promise, patchPromise(patches[p], p, history, s, breakdownAngle));
-      }
-      outlook[p].reason = reasonFor(best, outlook[p].promise, history.looks(p));
-    }
+std::vector<PatchOutlook> certify(const PlanningScene& scene, std::span<const Pose> positions,
+                                  const Progress& progress) {
+  std::vector<PatchOutlook> outlook(scene.patches().size());
+  parallelChunks(outlook.size(), kGrain, progress, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t p = begin; p < end; ++p) outlook[p] = outlookOf(scene, p, positions);
   });
   return outlook;
 }

@@ -1,5 +1,7 @@
 #include "planning/choice.h"
 
+#include <algorithm>
+
 namespace vantage {
 namespace {
 
@@ -22,11 +24,11 @@ Constraint bind(PositionScore& score, const ChoiceOptions& options) {
 }
 
 // Whether a beats b: more void, then less motion, then the lower index.
-bool better(const PositionScore& a, const PositionScore& b, const Workspace& workspace, int current) {
+bool better(const PositionScore& a, const PositionScore& b, const Workspace& workspace, std::optional<int> current) {
   if (promise(a) != promise(b)) return promise(a) > promise(b);
-  if (current >= 0) {
-    const double motionA = motionBetween(workspace, current, a.position);
-    const double motionB = motionBetween(workspace, current, b.position);
+  if (current) {
+    const double motionA = motionBetween(workspace, *current, a.position);
+    const double motionB = motionBetween(workspace, *current, b.position);
     if (motionA != motionB) return motionA < motionB;
   }
   return a.position < b.position;
@@ -34,7 +36,11 @@ bool better(const PositionScore& a, const PositionScore& b, const Workspace& wor
 
 }  // namespace
 
-Choice choose(std::vector<PositionScore>& scores, const Workspace& workspace, int current,
+double terminationThreshold(const TerminationOptions& options, double spacing, double modelArea) {
+  return options.threshold.value_or(std::max(options.edges * spacing * spacing, options.share * modelArea));
+}
+
+Choice choose(std::vector<PositionScore>& scores, const Workspace& workspace, std::optional<int> current,
               const ChoiceOptions& options) {
   Choice choice;
   ChoiceOptions relaxed = options;

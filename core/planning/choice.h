@@ -1,12 +1,25 @@
 #pragma once
 
-#include <span>
+#include <optional>
 #include <vector>
 
 #include "planning/plan.h"
 #include "scanner/workspace.h"
 
 namespace vantage {
+
+struct TerminationOptions {
+  /// F [mm^2]; unset: what `edges` boundary edges of one sample spacing show that are seen head-on, but no less than
+  /// `share` of the model's area.
+  std::optional<double> threshold;
+  double edges = 17.0;
+  double share = 0.0005;
+};
+
+/// F: what a view must promise to be worth taking (Pito 1999, 5.3) [mm^2].
+/// @param spacing of the samples [mm]
+/// @param modelArea [mm^2]
+[[nodiscard]] double terminationThreshold(const TerminationOptions& options, double spacing, double modelArea);
 
 struct ChoiceOptions {
   double leastOverlap = 0.0;          ///< t [mm^2]
@@ -19,8 +32,8 @@ struct ChoiceOptions {
 /// The decision over all positions.
 struct Choice {
   PlanOutcome outcome = PlanOutcome::Finished;
-  int position = -1;
-  double leastOverlap = 0.0;  ///< t as relaxed [mm^2]
+  std::optional<int> position;  ///< nothing unless Found
+  double leastOverlap = 0.0;    ///< t as relaxed [mm^2]
   int relaxations = 0;
 };
 
@@ -30,10 +43,10 @@ struct Choice {
 }
 
 /// The objective N(i) = o_v(i) if o_s(i) > t, else 0 (Pito 1999, 5.3), maximised over the positions. A tie goes to the
-/// least motion from `current`, then to the lower index. When void is left above F but every such position falls short
-/// of t or of a certain pose, both are relaxed up to `maxRelaxations` times and at last NoOverlap returned.
-/// Writes to every score which constraint bound and by how much it was missed.
-[[nodiscard]] Choice choose(std::vector<PositionScore>& scores, const Workspace& workspace, int current,
+/// least motion from `current` if that is known, then to the lower index. When void is left above F but every such
+/// position falls short of t or of a certain pose, both are relaxed up to `maxRelaxations` times and at last NoOverlap
+/// returned. Writes to every score which constraint bound and by how much it was missed.
+[[nodiscard]] Choice choose(std::vector<PositionScore>& scores, const Workspace& workspace, std::optional<int> current,
                             const ChoiceOptions& options);
 
 }  // namespace vantage

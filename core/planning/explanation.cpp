@@ -27,12 +27,12 @@ void addPatches(Explanation& why, const Plan& plan, const PositionScore& score) 
 
 }  // namespace
 
-int runnerUp(const Plan& plan) {
+std::optional<int> runnerUp(const Plan& plan) {
   const PositionScore* best = nullptr;
   for (const PositionScore& score : plan.scores)
     if (score.constraint == Constraint::Outscored && (best == nullptr || promise(score) > promise(*best)))
       best = &score;
-  return best == nullptr ? -1 : best->position;
+  return best == nullptr ? std::nullopt : std::optional(best->position);
 }
 
 Explanation explain(const Plan& plan, int position) {
@@ -55,8 +55,8 @@ Explanation explain(const Plan& plan, int position) {
   addPatches(why, plan, score);
   why.rank = rankOf(plan, score);
   why.rival = position == plan.position ? runnerUp(plan) : plan.position;
-  if (why.rival >= 0) {
-    const PositionScore& rival = plan.scores[static_cast<std::size_t>(why.rival)];
+  if (why.rival) {
+    const PositionScore& rival = plan.scores[static_cast<std::size_t>(*why.rival)];
     why.rivalPromise = promise(rival);
     why.rivalOverlap = rival.overlapArea;
   }

@@ -10,7 +10,7 @@ namespace vantage {
 
 /// Why a position was chosen, or why not: every figure is one of the plan's record or follows from them.
 struct Explanation {
-  int position = -1;
+  int position = 0;
   Constraint constraint = Constraint::BelowThreshold;  ///< what decided
   double shortBy = 0.0;                  ///< by how much the constraint is missed; mm^2, for PoseUncertain mm
   double voidArea = 0.0;                 ///< o_v by positional space [mm^2]
@@ -25,7 +25,7 @@ struct Explanation {
   double patchArea = 0.0;                ///< sum of their weights [mm^2]
   std::array<std::size_t, kEdgeClasses> patchesByClass{};  ///< by EdgeClass
   int rank = 0;               ///< 1 for the most promising of all positions; ties go to the lower index
-  int rival = -1;             ///< what to compare with: the choice; for the choice, the runner-up; -1 for none
+  std::optional<int> rival;   ///< what to compare with: the choice; for the choice, the runner-up
   double rivalPromise = 0.0;  ///< [mm^2]
   double rivalOverlap = 0.0;  ///< [mm^2]
 };
@@ -33,7 +33,7 @@ struct Explanation {
 /// @throws InvalidInput when the plan has no such position.
 [[nodiscard]] Explanation explain(const Plan& plan, int position);
 
-/// The most promising position that is allowed but not chosen; the lower index wins a tie. -1 when there is none.
-[[nodiscard]] int runnerUp(const Plan& plan);
+/// The most promising position that is allowed but not chosen; the lower index wins a tie. Nothing when there is none.
+[[nodiscard]] std::optional<int> runnerUp(const Plan& plan);
 
 }  // namespace vantage

@@ -1,48 +1,28 @@
 #pragma once
 
-#include <span>
-#include <vector>
-
-#include "base/progress.h"
-#include "planning/plan.h"
-#include "planning/visibility.h"
-#include "scanner/view.h"
+#include <cstdint>
+#include <string_view>
 
 namespace vantage {
 
-struct OutlookOptions {
-  /// A view has looked at a patch when its rays fell on it this much inside the breakdown angle [rad]; at the angle
-  /// itself the surface behind the patch may well be a little too steep.
-  double clearOfBreakdown = radians(6.0);
-  /// After so many views that looked without finding surface a patch attracts no more.
-  int mostLooks = 2;
-  /// A patch attracts only views that see it at a cosine larger by this than any view taken so far did.
-  double cosineGain = 0.07;
+/// Why a boundary edge is left (the certificate of termination).
+enum class EdgeReason : std::uint8_t {
+  OutOfReach,       ///< no ranging ray of any position reaches it
+  TooSteep,         ///< reached, but always beyond the breakdown angle
+  LightBlocked,     ///< the model blocks the light from everywhere else
+  ReceiverBlocked,  ///< light reaches it, but no receiver would see it
+  BelowThreshold,   ///< could be seen, but all that one view would add is below F
+  Answered,         ///< views looked at it and found no surface
 };
+inline constexpr int kEdgeReasons = 6;
+[[nodiscard]] std::string_view name(EdgeReason reason);
 
-/// What the views taken so far say about every patch. What one view did not find at a patch, another that sees it no
-/// more squarely will not find either: at a rim that is too steep for every position the patches of one view would
-/// otherwise attract all others. The view whose line of sight bounds a patch has not looked at it. A patch that views
-/// should have answered and did not stays void for the record and attracts no more, so that termination is certain.
-class PatchHistory {
- public:
-  /// @param sight with a breakdown angle so wide that it also tells of views that see a patch too steeply.
-  PatchHistory(std::span<const VoidPatch> patches, std::span<const View> views, const SightTest& sight,
-               double breakdownAngle, const OutlookOptions& options, const Progress& progress);
-
-  [[nodiscard]] bool answered(std::size_t patch) const { return looks_[patch] >= mostLooks_; }
-  [[nodiscard]] int looks(std::size_t patch) const { return looks_[patch]; }
-
-  /// Whether the patch attracts a view that sees it at that cosine between its normal and the ray.
-  [[nodiscard]] bool attracts(std::size_t patch, double cosine) const {
-    return !answered(patch) && cosine > bestCosine_[patch] + cosineGain_;
-  }
-
- private:
-  int mostLooks_;
-  double cosineGain_;
-  std::vector<int> looks_;          // per patch: views that looked
-  std::vector<double> bestCosine_;  // per patch: the most squarely that any view has seen it
+/// The state of one void patch for the planner.
+struct PatchOutlook {
+  std::uint8_t looks = 0;                          ///< views taken so far that should have sampled a surface there
+  bool answered = false;                           ///< enough looks: it attracts no more views
+  EdgeReason reason = EdgeReason::BelowThreshold;  ///< what keeps it void; meaningful once nothing is left to scan
+  double promise = 0.0;  ///< most that any one position would show of it; known like the reason [mm^2]
 };
 
 }  // namespace vantage

@@ -4,21 +4,15 @@
 #include <cmath>
 
 namespace vantage {
-namespace {
 
-// Nearer to the plane of an opening a view hardly looks through it [rad].
-constexpr double kOpeningAngle = radians(85.0);
-
-}  // namespace
-
-double widestLook(const VoidPatch& patch, double breakdownAngle) {
-  return patch.edgeClass == EdgeClass::Regular ? breakdownAngle : std::max(breakdownAngle, kOpeningAngle);
+double widestAngle(const PlanningScene& scene, const VoidPatch& patch) {
+  const bool opening = scene.options().lookAhead && patch.edgeClass != EdgeClass::Regular;
+  return opening ? std::max(scene.breakdownAngle(), scene.options().openingAngle) : scene.breakdownAngle();
 }
 
-Sight lookAt(const SightTest& sight, const Pose& T_object_scanner, const VoidPatch& patch,
-             std::optional<double> breakdownAngle) {
-  if (!breakdownAngle) return sight.look(T_object_scanner, patch.centre, patch.normal);
-  return sight.look(T_object_scanner, patch.centre, patch.normal, widestLook(patch, *breakdownAngle));
+Sight sightOf(const PlanningScene& scene, const Pose& T_table_scanner, std::size_t patch) {
+  const VoidPatch& p = scene.patches()[patch];
+  return scene.sight().look(T_table_scanner, p.centre, p.normal, widestAngle(scene, p));
 }
 
 double lookAhead(const VoidPatch& patch, const Vec3& direction, double breakdownAngle) {
@@ -27,10 +21,11 @@ double lookAhead(const VoidPatch& patch, const Vec3& direction, double breakdown
   return std::clamp(1.0 + phi / breakdownAngle, 0.0, 2.0);
 }
 
-double patchPromise(const VoidPatch& patch, std::size_t index, const PatchHistory& history, const Sight& sight,
-                    std::optional<double> breakdownAngle) {
-  if (sight.visibility != Visibility::Seen || !history.attracts(index, sight.cosine)) return 0.0;
-  return patch.weight * sight.cosine * (breakdownAngle ? lookAhead(patch, sight.direction, *breakdownAngle) : 1.0);
+double patchPromise(const PlanningScene& scene, std::size_t patch, const Sight& sight) {
+  if (sight.visibility != Visibility::Seen || !scene.history().attracts(patch, sight.cosine)) return 0.0;
+  const VoidPatch& p = scene.patches()[patch];
+  return p.weight * sight.cosine *
+         (scene.options().lookAhead ? lookAhead(p, sight.direction, scene.breakdownAngle()) : 1.0);
 }
 
 }  // namespace vantage

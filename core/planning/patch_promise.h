@@ -1,23 +1,22 @@
 #pragma once
 
-#include <optional>
+#include <cstddef>
 
-#include "planning/patch_outlook.h"
-#include "planning/visibility.h"
+#include "planning/planning_scene.h"
+#include "planning/sight.h"
 #include "void_space/void_patch.h"
 
 namespace vantage {
 
-/// The largest angle between a patch's normal and a view that looks through it [rad]. The patch of a regular edge
+/// The largest angle between a patch's normal and a view that sees through it [rad]. The patch of a regular edge
 /// continues the surface, and the breakdown angle holds for it. Where a jump in range tore the surface, or the border
 /// of what the scanner samples, the patch is an opening into the unseen: what stands behind it may face anywhere, so
-/// only views along the patch see nothing of it.
-[[nodiscard]] double widestLook(const VoidPatch& patch, double breakdownAngle);
+/// only views along the patch see nothing of it. Without look-ahead it is the breakdown angle for every patch: the
+/// objective of the paper.
+[[nodiscard]] double widestAngle(const PlanningScene& scene, const VoidPatch& patch);
 
-/// Looks at a patch up to `widestLook`.
-/// @param breakdownAngle unset: up to the breakdown angle of `sight`, the objective of the paper.
-[[nodiscard]] Sight lookAt(const SightTest& sight, const Pose& T_object_scanner, const VoidPatch& patch,
-                           std::optional<double> breakdownAngle);
+/// What a scanner at a pose makes of one of the scene's patches, up to its `widestAngle`.
+[[nodiscard]] Sight sightOf(const PlanningScene& scene, const Pose& T_table_scanner, std::size_t patch);
 
 /// How much unseen surface stands behind a void patch, seen from one direction.
 ///
@@ -26,10 +25,8 @@ namespace vantage {
 /// factor is that share of theta_b. 1 for a view along the patch's normal, which gives the objective of the paper.
 [[nodiscard]] double lookAhead(const VoidPatch& patch, const Vec3& direction, double breakdownAngle);
 
-/// What one look at a patch promises: weight times cosine times `lookAhead`, 0 when the patch is not seen or does not
+/// What a sight of a patch promises: weight times cosine times `lookAhead`, 0 when the patch is not seen or does not
 /// attract a view like that [mm^2].
-/// @param breakdownAngle for the look-ahead [rad]; unset: without it.
-[[nodiscard]] double patchPromise(const VoidPatch& patch, std::size_t index, const PatchHistory& history,
-                                  const Sight& sight, std::optional<double> breakdownAngle);
+[[nodiscard]] double patchPromise(const PlanningScene& scene, std::size_t patch, const Sight& sight);
 
 }  // namespace vantage

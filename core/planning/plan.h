@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "planning/patch_outlook.h"
 #include "registration/weak_direction.h"
 #include "void_space/void_patch.h"
 
@@ -43,30 +44,10 @@ struct PositionScore {
   std::vector<std::uint32_t> patches;  ///< patches that it would see, by index; only where traced
 };
 
-/// Why a boundary edge is left (the certificate of termination).
-enum class EdgeReason : std::uint8_t {
-  OutOfReach,       ///< no ranging ray of any position reaches it
-  TooSteep,         ///< reached, but always beyond the breakdown angle
-  LightBlocked,     ///< the model blocks the light from everywhere else
-  ReceiverBlocked,  ///< light reaches it, but no receiver would see it
-  BelowThreshold,   ///< could be seen, but all that one view would add is below F
-  Answered,         ///< views looked at it and found no surface
-};
-inline constexpr int kEdgeReasons = 6;
-[[nodiscard]] std::string_view name(EdgeReason reason);
-
-/// The state of one void patch for the planner.
-struct PatchOutlook {
-  std::uint8_t looks = 0;                          ///< views taken so far that should have sampled a surface there
-  bool answered = false;                           ///< enough looks: it attracts no more views
-  EdgeReason reason = EdgeReason::BelowThreshold;  ///< what keeps it void; meaningful once nothing is left to scan
-  double promise = 0.0;  ///< most that any one position would show of it; known like the reason [mm^2]
-};
-
 /// The planner's answer and its explanation.
 struct Plan {
   PlanOutcome outcome = PlanOutcome::Finished;
-  int position = -1;                  ///< the next best view; -1 unless Found
+  std::optional<int> position;        ///< the next best view; nothing unless Found
   double leastOverlap = 0.0;          ///< t [mm^2]
   double terminationThreshold = 0.0;  ///< F [mm^2]
   /// What all views that are still possible together would show, known once none of them is worth taking [mm^2].

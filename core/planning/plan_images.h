@@ -1,8 +1,9 @@
 #pragma once
 
 #include "base/progress.h"
-#include "planning/planner.h"
+#include "planning/planning_scene.h"
 #include "positional_space/positional_image.h"
+#include "positional_space/scanner_images.h"
 
 namespace vantage {
 
@@ -16,10 +17,9 @@ struct PlanImages {
   PositionalImage seen;
 };
 
-/// Rebuilds the images of the plan that planNextView makes of the same input and options.
-/// @param voids the void patches of that plan.
-/// @throws InvalidInput when there is no view yet. @throws Cancelled
-[[nodiscard]] PlanImages computePlanImages(const PlanInput& input, const VoidSurface& voids,
-                                           const PlannerOptions& options, const Progress& progress);
+/// Rebuilds the images of the plan that planNextView makes with the same scene and images.
+/// @throws Cancelled
+[[nodiscard]] PlanImages computePlanImages(const PlanningScene& scene, const ScannerImages& images,
+                                           const Progress& progress);
 
 }  // namespace vantage

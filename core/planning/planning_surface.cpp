@@ -9,13 +9,6 @@
 #include "geometry/mesh_topology.h"
 
 namespace vantage {
-namespace {
-
-// Rings of vertices next to the border whose triangles give no pairs, like those of the border itself.
-constexpr int kBorderRings = 2;
-
-}  // namespace
-
 Mesh tracedMesh(const Mesh& mesh, std::size_t mostTriangles, double maxError, const Progress& progress) {
   if (mesh.triangles.size() <= mostTriangles) return mesh;
   DecimationOptions decimation;
@@ -24,9 +17,9 @@ Mesh tracedMesh(const Mesh& mesh, std::size_t mostTriangles, double maxError, co
   return decimate(mesh, decimation, progress);
 }
 
-Mesh withoutBorder(const Mesh& mesh) {
+Mesh withoutBorder(const Mesh& mesh, int rings) {
   std::vector<std::uint8_t> nearBorder = MeshTopology(mesh).onBoundary();
-  for (int ring = 0; ring < kBorderRings; ++ring) {
+  for (int ring = 0; ring < rings; ++ring) {
     std::vector<std::uint8_t> grown = nearBorder;
     for (const Triangle& t : mesh.triangles)
       if (nearBorder[t[0]] || nearBorder[t[1]] || nearBorder[t[2]]) grown[t[0]] = grown[t[1]] = grown[t[2]] = 1;

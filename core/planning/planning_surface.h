@@ -5,9 +5,15 @@
 
 #include "base/progress.h"
 #include "geometry/mesh.h"
-#include "planning/candidate_tracing.h"
 
 namespace vantage {
+
+/// A piece of the model's surface that a view may re-sample.
+struct SurfaceElement {
+  Vec3 centre;
+  Vec3 normal;  ///< unit
+  double area;  ///< [mm^2]
+};
 
 /// The mesh that stands for the model in tracing: the model's own until it has so many triangles that decimating it
 /// pays, then one of half as many.
@@ -15,7 +21,8 @@ namespace vantage {
 [[nodiscard]] Mesh tracedMesh(const Mesh& mesh, std::size_t mostTriangles, double maxError, const Progress& progress);
 
 /// The mesh without the triangles along its border: registration leaves them out, so they do not count as overlap.
-[[nodiscard]] Mesh withoutBorder(const Mesh& mesh);
+/// @param rings of vertices next to the border whose triangles are left out too
+[[nodiscard]] Mesh withoutBorder(const Mesh& mesh, int rings);
 
 /// An even choice of about `count` of the mesh's triangles, each standing for those it leaves out.
 [[nodiscard]] std::vector<SurfaceElement> surfaceElements(const Mesh& mesh, std::size_t count);

@@ -3,13 +3,11 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include "base/progress.h"
-#include "integration/model.h"
-#include "planning/visibility.h"
-#include "void_space/void_patch.h"
+#include "planning/planning_scene.h"
+#include "planning/sight.h"
 
 namespace vantage {
 
@@ -19,7 +17,7 @@ inline constexpr std::size_t kVisibilities = 5;
 struct PatchSight {
   Visibility visibility = Visibility::OutOfReach;
   double cosine = 0.0;               ///< between the patch's normal and the direction to the light source
-  std::uint32_t blocker = kNoIndex;  ///< triangle of the model that blocks the light or the (first) receiver
+  std::uint32_t blocker = kNoIndex;  ///< triangle of the scene's surface that blocks the light or the (first) receiver
 };
 
 /// What one position makes of all void patches: the reasons behind its o_v.
@@ -32,11 +30,9 @@ struct PositionSight {
   [[nodiscard]] double area(Visibility v) const { return areas[static_cast<std::size_t>(v)]; }
 };
 
-/// Looks at every patch from one pose with the scanner's own rays, as the planner does when it traces a position.
-/// @param spacing mean sample spacing of the views; the lines of sight keep a share of it away from the surface [mm].
-/// @throws InvalidInput when the spacing is not positive; Cancelled
-[[nodiscard]] PositionSight lookFrom(const Pose& T_object_scanner, std::span<const VoidPatch> patches,
-                                     const Model& model, const ScannerProfile& profile, double spacing,
-                                     const Progress& progress);
+/// Looks at every patch of the scene from one position with the scanner's own rays, as the planner does when it traces
+/// the position.
+/// @throws InvalidInput for a position that the workspace does not have; Cancelled
+[[nodiscard]] PositionSight computePositionSight(const PlanningScene& scene, int position, const Progress& progress);
 
 }  // namespace vantage

@@ -1,10 +1,10 @@
 #include "planning/scanner_picture.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <optional>
+#include <span>
 
-#include "base/errors.h"
 #include "base/parallel.h"
 #include "geometry/ray_caster.h"
 
@@ -14,24 +14,28 @@ namespace {
 // A patch seen from behind is no void: the ray comes from inside of what it bounds.
 constexpr double kEdgeOn = 0.02;
 constexpr std::size_t kRaysPerChunk = 512;
-// Lines to the receivers begin this far in front of the surface [mm].
-constexpr double kSurfaceOffset = 0.3;
 
-class Looker {
+// Void patches as a mesh: triangles 2 p and 2 p + 1 are patch p.
+Mesh patchMesh(std::span<const VoidPatch> patches) {
+  std::vector<std::array<Vec3, 4>> quads;
+  quads.reserve(patches.size());
+  for (const VoidPatch& patch : patches) quads.push_back(patch.corners);
+  return quadMesh(quads);
+}
+
+class PictureMaker {
  public:
-  Looker(const ScannerProfile& profile, int position, const Model& model, const VoidSurface* voids)
-      : profile_(profile),
-        pose_(profile.workspace.poses[static_cast<std::size_t>(position)]),
-        surface_(model.mesh),
-        voids_(voids != nullptr ? patchMesh(*voids) : Mesh{}) {}
+  PictureMaker(const PlanningScene& scene, const Pose& T_table_scanner)
+      : scene_(scene), T_table_scanner_(T_table_scanner), voids_(patchMesh(scene.patches())) {}
 
-  void look(std::size_t i, ScannerPicture& picture) const {
-    const RangingRay& ray = profile_.rays->ray(i);
-    const Vec3 origin = pose_ * ray.origin;
-    const Vec3 direction = pose_.linear() * ray.direction;
-    const auto surface = surface_.intersect(origin, direction, profile_.minRange, profile_.maxRange);
-    const double reach = surface ? surface->distance - kSurfaceOffset : profile_.maxRange;
-    const auto patch = voids_.intersect(origin, direction, profile_.minRange, std::max(profile_.minRange, reach));
+  void follow(std::size_t i, ScannerPicture& picture) const {
+    const ScannerProfile& profile = scene_.profile();
+    const RangingRay& ray = profile.rays->ray(i);
+    const Vec3 origin = T_table_scanner_ * ray.origin;
+    const Vec3 direction = T_table_scanner_.linear() * ray.direction;
+    const auto surface = scene_.obstacles().intersect(origin, direction, profile.minRange, profile.maxRange);
+    const double reach = surface ? surface->distance - scene_.sight().options().offset : profile.maxRange;
+    const auto patch = voids_.intersect(origin, direction, profile.minRange, std::max(profile.minRange, reach));
     if (patch && -patch->normal.dot(direction) > kEdgeOn)
       enter(picture, i, RaySight::Void, *patch, direction);
     else if (surface)
@@ -48,19 +52,13 @@ class Looker {
   [[nodiscard]] RaySight judge(std::size_t i, const RayHit& hit, const Vec3& origin, const Vec3& direction) const {
     const double cosine = -hit.normal.dot(direction);
     if (cosine <= 0.0) return RaySight::Back;
-    if (cosine < std::cos(profile_.breakdownAngle)) return RaySight::TooSteep;
-    if (!profile_.rays->triangulates()) return RaySight::Surface;
-    const Vec3 point = origin + hit.distance * direction + kSurfaceOffset * hit.normal;
-    const auto receivers = profile_.rays->receivers(i);
-    const bool seen = std::any_of(receivers.begin(), receivers.end(), [&](const Vec3& receiver) {
-      return !surface_.occluded(point, pose_ * receiver, kSurfaceOffset);
-    });
+    if (cosine < std::cos(scene_.breakdownAngle())) return RaySight::TooSteep;
+    const bool seen = scene_.sight().received(T_table_scanner_, i, origin + hit.distance * direction, hit.normal);
     return seen ? RaySight::Surface : RaySight::ReceiverBlocked;
   }
 
-  const ScannerProfile& profile_;
-  const Pose& pose_;
-  RayCaster surface_;
+  const PlanningScene& scene_;
+  const Pose& T_table_scanner_;
   RayCaster voids_;
 };
 
@@ -79,33 +77,22 @@ void orient(const RayGrid& rays, ScannerPicture& picture) {
 
 }  // namespace
 
-Mesh patchMesh(const VoidSurface& voids) {
-  std::vector<std::array<Vec3, 4>> quads;
-  quads.reserve(voids.patches.size());
-  for (const VoidPatch& patch : voids.patches) quads.push_back(patch.corners);
-  return quadMesh(quads);
-}
-
 std::size_t ScannerPicture::count(RaySight wanted) const {
   return static_cast<std::size_t>(std::count(sight.begin(), sight.end(), wanted));
 }
 
-ScannerPicture computeScannerPicture(const ScannerProfile& profile, int position, const Model& model,
-                                     const VoidSurface* voids, const Progress& progress) {
-  if (position < 0 || position >= static_cast<int>(profile.workspace.size()))
-    throw InvalidInput("position " + std::to_string(position) + " is not in the workspace, which has positions 0 to " +
-                       std::to_string(static_cast<int>(profile.workspace.size()) - 1));
+ScannerPicture computeScannerPicture(const PlanningScene& scene, int position, const Progress& progress) {
+  const PictureMaker maker(scene, scene.pose(position));
+  const RayGrid& rays = *scene.profile().rays;
   ScannerPicture picture;
-  picture.rows = profile.rays->rows();
-  picture.columns = profile.rays->columns();
-  const std::size_t count = profile.rays->size();
-  picture.sight.assign(count, RaySight::Nothing);
-  picture.cosine.assign(count, 0.0F);
-  picture.range.assign(count, 0.0F);
-  orient(*profile.rays, picture);
-  const Looker looker(profile, position, model, voids);
-  parallelChunks(count, kRaysPerChunk, progress, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) looker.look(i, picture);
+  picture.rows = rays.rows();
+  picture.columns = rays.columns();
+  picture.sight.assign(rays.size(), RaySight::Nothing);
+  picture.cosine.assign(rays.size(), 0.0F);
+  picture.range.assign(rays.size(), 0.0F);
+  orient(rays, picture);
+  parallelChunks(rays.size(), kRaysPerChunk, progress, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) maker.follow(i, picture);
   });
   return picture;
 }

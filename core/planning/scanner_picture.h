@@ -1,13 +1,10 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
 #include <vector>
 
 #include "base/progress.h"
-#include "integration/model.h"
-#include "scanner/profile.h"
-#include "void_space/void_patch.h"
+#include "planning/planning_scene.h"
 
 namespace vantage {
 
@@ -35,13 +32,8 @@ struct ScannerPicture {
   [[nodiscard]] std::size_t count(RaySight wanted) const;
 };
 
-/// Void patches as a mesh: triangles 2 p and 2 p + 1 are patch p.
-[[nodiscard]] Mesh patchMesh(const VoidSurface& voids);
-
-/// Follows every ranging ray from a position to the model and its void patches.
-/// @param voids null: without void
+/// Follows every ranging ray from a position to the scene's surface and void patches.
 /// @throws InvalidInput for a position that the workspace does not have; Cancelled
-[[nodiscard]] ScannerPicture computeScannerPicture(const ScannerProfile& profile, int position, const Model& model,
-                                                   const VoidSurface* voids, const Progress& progress = {});
+[[nodiscard]] ScannerPicture computeScannerPicture(const PlanningScene& scene, int position, const Progress& progress);
 
 }  // namespace vantage

@@ -12,9 +12,6 @@
 namespace vantage {
 namespace {
 
-// Patches face each other when either lies within this angle of where the other points.
-const double kFacingCosine = std::cos(radians(60.0));
-
 using Cell = std::array<std::int64_t, 3>;
 
 Cell cellOf(const Vec3& p, double size) {
@@ -33,9 +30,9 @@ Front frontOf(const VoidPatch& patch) {
   return {place, (0.5 * (patch.corners[2] + patch.corners[3]) - place).normalized()};
 }
 
-bool facing(const Front& a, const Front& b, double distance) {
+bool facing(const Front& a, const Front& b, double distance, double minCosine) {
   const Vec3 across = (b.place - a.place) / distance;
-  return across.dot(a.ahead) > kFacingCosine && -across.dot(b.ahead) > kFacingCosine;
+  return across.dot(a.ahead) > minCosine && -across.dot(b.ahead) > minCosine;
 }
 
 }  // namespace
@@ -50,6 +47,7 @@ std::vector<double> voidExtents(std::span<const VoidPatch> patches, const VoidEx
     cells[cellOf(frontOf(patch).place, options.farthest)].push_back(static_cast<std::uint32_t>(fronts.size()));
     fronts.push_back(frontOf(patch));
   }
+  const double minCosine = std::cos(options.facingAngle);
   std::vector<double> extents;
   extents.reserve(patches.size());
   for (const Front& front : fronts) {
@@ -60,7 +58,8 @@ std::vector<double> voidExtents(std::span<const VoidPatch> patches, const VoidEx
       if (cell == cells.end()) continue;
       for (const std::uint32_t other : cell->second) {
         const double distance = (fronts[other].place - front.place).norm();
-        if (distance > 0.0 && distance < width.value_or(options.farthest) && facing(front, fronts[other], distance))
+        if (distance > 0.0 && distance < width.value_or(options.farthest) &&
+            facing(front, fronts[other], distance, minCosine))
           width = distance;
       }
     }

@@ -8,8 +8,9 @@
 namespace vantage {
 
 struct VoidExtentOptions {
-  double reach = 1.0;     ///< width of the strip that a view shows behind an open patch [mm]
-  double farthest = 1.0;  ///< patches that face each other across no more than this bound one hole [mm]
+  double reach = 1.0;                  ///< width of the strip that a view shows behind an open patch [mm]
+  double farthest = 1.0;               ///< patches that face each other across no more than this bound one hole [mm]
+  double facingAngle = radians(60.0);  ///< patches face each other when either lies this near to where the other points
 };
 
 /// How much unseen surface stands behind each void patch, as a multiple of what stands behind an open one, > 0.

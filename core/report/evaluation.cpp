@@ -8,7 +8,7 @@
 #include "base/parallel.h"
 #include "base/random.h"
 #include "geometry/ray_caster.h"
-#include "planning/visibility.h"
+#include "planning/sight.h"
 
 namespace vantage {
 namespace {

@@ -135,7 +135,7 @@ std::string objectiveFigure(const Plan& plan, const std::string& when) {
       when + ": void that each position would show [mm²]", {}, plan.terminationThreshold, "F", plan.position};
   for (const PositionScore& score : plan.scores) chart.values.push_back(promise(score));
   return "<figure>" + drawChart(chart) + "<figcaption>" + escapedHtml(chart.title) +
-         (plan.position >= 0 ? "; chosen: position " + std::to_string(plan.position) : "; nothing chosen") +
+         (plan.position ? "; chosen: position " + std::to_string(*plan.position) : "; nothing chosen") +
          "; least overlap t = " + figure(plan.leastOverlap, 0) + " mm²</figcaption></figure>\n";
 }
 

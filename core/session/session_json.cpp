@@ -346,7 +346,7 @@ ScanRecord recordFromText(const std::string& text, const std::string& what) {
 
 std::string planText(const Plan& plan) {
   Json json{{"outcome", name(plan.outcome)},
-            {"position", plan.position},
+            {"position", plan.position.value_or(-1)},
             {"least_overlap_mm2", jsonNumber(plan.leastOverlap)},
             {"termination_threshold_mm2", jsonNumber(plan.terminationThreshold)},
             {"void_left_mm2", jsonNumber(plan.voidLeft)},
@@ -373,7 +373,8 @@ Plan planFromText(const std::string& text, const std::string& what) {
   }
   const auto positions = static_cast<std::int64_t>(plan.scores.size());
   const bool found = plan.outcome == PlanOutcome::Found;
-  plan.position = static_cast<int>(fields.integer("position", found ? 0 : -1, found ? positions - 1 : positions));
+  const auto position = fields.integer("position", found ? 0 : -1, found ? positions - 1 : positions);
+  if (position >= 0) plan.position = static_cast<int>(position);
   return plan;
 }
 

@@ -44,7 +44,7 @@ void addScore(ContentHash& hash, const PositionScore& score) {
 
 void addPlan(ContentHash& hash, const Plan& plan) {
   hash.add(plan.outcome);
-  hash.add(plan.position);
+  hash.add(plan.position.value_or(-1));
   hash.add(plan.leastOverlap);
   hash.add(plan.terminationThreshold);
   hash.add(plan.voidLeft);

@@ -3,6 +3,7 @@
 #include <QApplication>
 #include <QDeadlineTimer>
 
+#include "acquisition/steps.h"
 #include "layers/positional_links.h"
 #include "look/legend.h"
 #include "osmesa/osmesa_window.h"
@@ -214,9 +215,10 @@ TEST_P(Views, PictureOfTheScanner) {
   const SharedSnapshot snapshot = mugUnderWay();
   ScannerPictureView view;
   view.setTheme(theme());
+  const PlanningScene scene(planInputOf(*snapshot->state), snapshot->plan->voids,
+                            stepOptionsFor(*snapshot->state).planner, {});
   view.setPicture(
-      std::make_shared<const ScannerPicture>(computeScannerPicture(*snapshot->profile(), snapshot->proposed().value(),
-                                                                   *snapshot->model(), snapshot->plan->voids.get())),
+      std::make_shared<const ScannerPicture>(computeScannerPicture(scene, snapshot->proposed().value(), {})),
       "What the scanner would see");
   const QImage image = grab(view, kSize);
   expectTitle(image, "What the scanner would see");

@@ -20,7 +20,7 @@ Plan planWithThreshold(double threshold) {
 TEST(Termination, TakesViewsThatPromiseMoreThanTheThreshold) {
   const Plan plan = planWithThreshold(1.0);
   ASSERT_EQ(plan.outcome, PlanOutcome::Found);
-  EXPECT_GT(promise(plan.scores[static_cast<std::size_t>(plan.position)]), 1.0);
+  EXPECT_GT(promise(plan.scores[static_cast<std::size_t>(plan.position.value())]), 1.0);
 }
 
 TEST(Termination, IsFinishedWhenNoViewPromisesThatMuchAndSaysWhatIsLeft) {

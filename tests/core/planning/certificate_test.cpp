@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/planning/flat_scanner.h"
+#include "core/planning/scenes.h"
 #include "support/meshes.h"
 
 namespace vantage {
@@ -24,19 +24,10 @@ class Certificate : public ::testing::Test {
  protected:
   // What is known of the patch when one scan was taken from each of the poses.
   PatchOutlook outlookOf(const VoidPatch& patch, const std::vector<Pose>& taken, const Mesh& obstacles) const {
-    const RayCaster caster(obstacles);
-    SightOptions grazing;
-    grazing.breakdownAngle = radians(85.0);
-    std::vector<View> views;
-    for (const Pose& pose : taken) {
-      View view;
-      view.T_object_scanner = pose;
-      views.push_back(view);
-    }
-    const std::vector<VoidPatch> patches{patch};
-    const SightTest sight(profile_, caster, {});
-    const PatchHistory history(patches, views, SightTest(profile_, caster, grazing), profile_.breakdownAngle, {}, {});
-    return certify(patches, history, profile_.workspace.poses, sight, std::nullopt, {}).front();
+    PlannerOptions options;
+    options.lookAhead = false;
+    const auto scene = testing::sceneOf(profile_, obstacles, {patch}, taken, options);
+    return certify(*scene, profile_.workspace.poses, {}).front();
   }
 
   ScannerProfile profile_ = testing::flatScanner();

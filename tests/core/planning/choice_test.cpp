@@ -47,11 +47,16 @@ TEST(Choice, BreaksTiesByLeastMotionThenByLowerIndex) {
   EXPECT_EQ(choose(scores, turntable(8), 4, kOptions).position, 2);
 }
 
+TEST(Choice, GivesATieToTheLowerIndexWhereTheScannerIsNowhereYet) {
+  std::vector<PositionScore> scores{score(0, 20, 500), score(1, 50, 500), score(2, 50, 500)};
+  EXPECT_EQ(choose(scores, turntable(3), std::nullopt, kOptions).position, 1);
+}
+
 TEST(Choice, IsFinishedWhenNothingExceedsTheThreshold) {
   std::vector<PositionScore> scores{score(0, 10, 500), score(1, 9, 500)};
   const Choice choice = choose(scores, turntable(2), 0, kOptions);
   EXPECT_EQ(choice.outcome, PlanOutcome::Finished);
-  EXPECT_EQ(choice.position, -1);
+  EXPECT_EQ(choice.position, std::nullopt);
   EXPECT_EQ(choice.relaxations, 0);
 }
 
@@ -68,7 +73,7 @@ TEST(Choice, SaysNoOverlapWhenVoidIsLeftThatNothingReachesWithOverlap) {
   std::vector<PositionScore> scores{score(0, 50, 5), score(1, 5, 500)};
   const Choice choice = choose(scores, turntable(2), 0, kOptions);
   EXPECT_EQ(choice.outcome, PlanOutcome::NoOverlap);
-  EXPECT_EQ(choice.position, -1);
+  EXPECT_EQ(choice.position, std::nullopt);
   EXPECT_EQ(scores[0].constraint, Constraint::OverlapShort);
 }
 
@@ -86,6 +91,22 @@ TEST(Choice, AllowsTwiceThePoseErrorWithEveryRelaxation) {
   const Choice choice = choose(scores, turntable(1), 0, kOptions);
   EXPECT_EQ(choice.outcome, PlanOutcome::Found);
   EXPECT_EQ(choice.relaxations, 2);
+}
+
+constexpr TerminationOptions kTermination{.threshold = std::nullopt, .edges = 20.0, .share = 0.001};
+
+TEST(TerminationThreshold, OfASmallModelIsWhatSoManyEdgesShow) {
+  EXPECT_DOUBLE_EQ(terminationThreshold(kTermination, 2.0, 1000.0), 80.0);  // 20 edges of 2 mm, a spacing deep each
+}
+
+TEST(TerminationThreshold, OfALargeModelIsAShareOfIt) {
+  EXPECT_DOUBLE_EQ(terminationThreshold(kTermination, 2.0, 1e6), 1000.0);
+}
+
+TEST(TerminationThreshold, IsTheOneThatIsGiven) {
+  TerminationOptions options = kTermination;
+  options.threshold = 7.0;
+  EXPECT_DOUBLE_EQ(terminationThreshold(options, 2.0, 1e6), 7.0);
 }
 
 }  // namespace

@@ -89,9 +89,9 @@ TEST(Explanation, RanksByWhatPositionsPromise) {
 TEST(Explanation, HasNoRivalWhenNothingElseIsAllowed) {
   Plan plan = makePlan();
   plan.scores[2].constraint = Constraint::BelowThreshold;
-  EXPECT_EQ(explain(plan, 1).rival, -1);
-  plan.position = -1;
-  EXPECT_EQ(explain(plan, 0).rival, -1);
+  EXPECT_EQ(explain(plan, 1).rival, std::nullopt);
+  plan.position.reset();
+  EXPECT_EQ(explain(plan, 0).rival, std::nullopt);
 }
 
 TEST(Explanation, RefusesPositionsThatThePlanDoesNotHave) {

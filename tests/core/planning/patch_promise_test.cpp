@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "flat_scanner.h"
+#include "core/planning/scenes.h"
 #include "support/meshes.h"
 
 namespace vantage {
@@ -21,32 +21,75 @@ VoidPatch patchTurned(double angle, EdgeClass edgeClass) {
   return patch;
 }
 
-TEST(WidestLook, IsTheBreakdownAngleWhereThePatchContinuesTheSurface) {
-  EXPECT_DOUBLE_EQ(widestLook(patchTurned(0.0, EdgeClass::Regular), kBreakdown), kBreakdown);
+PlannerOptions looking(bool ahead) {
+  PlannerOptions options;
+  options.lookAhead = ahead;
+  return options;
 }
 
-TEST(WidestLook, ReachesNearlyToThePlaneOfAnOpening) {
+TEST(WidestAngle, IsTheBreakdownAngleWhereThePatchContinuesTheSurface) {
+  const auto scene = testing::sceneOf(testing::flatScanner(), {}, {patchTurned(0.0, EdgeClass::Regular)});
+  EXPECT_DOUBLE_EQ(widestAngle(*scene, scene->patches()[0]), kBreakdown);
+}
+
+TEST(WidestAngle, ReachesNearlyToThePlaneOfAnOpening) {
+  ScannerProfile profile = testing::flatScanner();
   for (const EdgeClass edgeClass :
        {EdgeClass::OuterJump, EdgeClass::InnerJump, EdgeClass::LineOfSightJump, EdgeClass::Rim}) {
-    EXPECT_GT(widestLook(patchTurned(0.0, edgeClass), kBreakdown), radians(80.0));
-    EXPECT_LT(widestLook(patchTurned(0.0, edgeClass), kBreakdown), radians(90.0));
-    EXPECT_DOUBLE_EQ(widestLook(patchTurned(0.0, edgeClass), radians(88.0)), radians(88.0));
+    const VoidPatch patch = patchTurned(0.0, edgeClass);
+    profile.breakdownAngle = kBreakdown;
+    EXPECT_DOUBLE_EQ(widestAngle(*testing::sceneOf(profile, {}, {}), patch), PlannerOptions().openingAngle);
+    profile.breakdownAngle = radians(88.0);
+    EXPECT_DOUBLE_EQ(widestAngle(*testing::sceneOf(profile, {}, {}), patch), radians(88.0));
   }
 }
 
-TEST(LookAt, SeesThroughAnOpeningWhereASurfaceWouldBeTooSteep) {
-  const ScannerProfile profile = testing::flatScanner();
-  const Mesh far = testing::makeBox({0, 400, 100}, {10, 410, 110});
-  const RayCaster obstacles(far);
-  const SightTest sight(profile, obstacles, {});
-  const auto visibility = [&](double angle, EdgeClass edgeClass, std::optional<double> breakdown) {
-    return lookAt(sight, Pose::Identity(), patchTurned(angle, edgeClass), breakdown).visibility;
+TEST(WidestAngle, IsTheBreakdownAngleForAllWithoutLookAhead) {
+  const auto scene = testing::sceneOf(testing::flatScanner(), {}, {}, {}, looking(false));
+  EXPECT_DOUBLE_EQ(widestAngle(*scene, patchTurned(0.0, EdgeClass::OuterJump)), kBreakdown);
+}
+
+TEST(SightOfAPatch, SeesThroughAnOpeningWhereASurfaceWouldBeTooSteep) {
+  const auto visibility = [&](double angle, EdgeClass edgeClass, bool ahead) {
+    const auto scene =
+        testing::sceneOf(testing::flatScanner(), {}, {patchTurned(angle, edgeClass)}, {}, looking(ahead));
+    return sightOf(*scene, Pose::Identity(), 0).visibility;
   };
-  EXPECT_EQ(visibility(radians(75.0), EdgeClass::InnerJump, kBreakdown), Visibility::Seen);
-  EXPECT_EQ(visibility(radians(89.0), EdgeClass::InnerJump, kBreakdown), Visibility::TooSteep);
-  EXPECT_EQ(visibility(radians(75.0), EdgeClass::Regular, kBreakdown), Visibility::TooSteep);
-  EXPECT_EQ(visibility(radians(75.0), EdgeClass::InnerJump, std::nullopt), Visibility::TooSteep);
-  EXPECT_EQ(visibility(radians(55.0), EdgeClass::Regular, kBreakdown), Visibility::Seen);
+  EXPECT_EQ(visibility(radians(75.0), EdgeClass::InnerJump, true), Visibility::Seen);
+  EXPECT_EQ(visibility(radians(89.0), EdgeClass::InnerJump, true), Visibility::TooSteep);
+  EXPECT_EQ(visibility(radians(75.0), EdgeClass::Regular, true), Visibility::TooSteep);
+  EXPECT_EQ(visibility(radians(75.0), EdgeClass::InnerJump, false), Visibility::TooSteep);
+  EXPECT_EQ(visibility(radians(55.0), EdgeClass::Regular, true), Visibility::Seen);
+}
+
+// A square patch that leaves its edge along +y.
+VoidPatch patchBeyondY() {
+  VoidPatch patch;
+  patch.centre = {0, 0, 100};
+  patch.normal = Vec3::UnitX();
+  patch.corners = {Vec3(0, -1, 99), Vec3(0, -1, 101), Vec3(0, 1, 101), Vec3(0, 1, 99)};
+  patch.weight = 3.0;
+  return patch;
+}
+
+TEST(LookAhead, GrowsTheFartherAViewLeansBeyondTheEdge) {
+  const VoidPatch patch = patchBeyondY();
+  const auto factor = [&](double angle) {
+    return lookAhead(patch, {std::cos(angle), std::sin(angle), 0.0}, kBreakdown);
+  };
+  EXPECT_DOUBLE_EQ(factor(0.0), 1.0);
+  EXPECT_NEAR(factor(radians(30.0)), 1.5, 1e-12);  // (60 + 30) / 60
+  EXPECT_NEAR(factor(radians(-30.0)), 0.5, 1e-12);
+  EXPECT_NEAR(factor(radians(80.0)), 2.0, 1e-12);
+}
+
+TEST(PatchPromise, IsWeightTimesCosineTimesWhatLiesAhead) {
+  const VoidPatch patch = patchBeyondY();
+  const Sight leaning{Visibility::Seen, 0.8, Vec3(std::cos(radians(30.0)), std::sin(radians(30.0)), 0.0)};
+  EXPECT_NEAR(patchPromise(*testing::sceneOf(testing::flatScanner(), {}, {patch}), 0, leaning), 3.0 * 0.8 * 1.5, 1e-12);
+  const auto paper = testing::sceneOf(testing::flatScanner(), {}, {patch}, {}, looking(false));
+  EXPECT_NEAR(patchPromise(*paper, 0, leaning), 3.0 * 0.8, 1e-12);
+  EXPECT_EQ(patchPromise(*paper, 0, {Visibility::LightBlocked, 0.8, leaning.direction}), 0.0);
 }
 
 }  // namespace

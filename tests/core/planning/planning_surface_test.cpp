@@ -17,9 +17,9 @@ TEST(TracedMesh, IsTheModelUnlessThatIsLarge) {
 }
 
 TEST(WithoutBorder, LeavesOutThreeRingsOfTriangles) {
-  EXPECT_DOUBLE_EQ(area(withoutBorder(testing::makeGrid(10, 10, 1.0))), 16.0);  // 4 x 4 squares in the middle
+  EXPECT_DOUBLE_EQ(area(withoutBorder(testing::makeGrid(10, 10, 1.0), 2)), 16.0);  // 4 x 4 squares in the middle
   const Mesh sphere = testing::makeSphere(50.0, 20);
-  EXPECT_EQ(withoutBorder(sphere).triangles.size(), sphere.triangles.size());
+  EXPECT_EQ(withoutBorder(sphere, 2).triangles.size(), sphere.triangles.size());
 }
 
 TEST(SurfaceElements, StandForTheWholeMesh) {

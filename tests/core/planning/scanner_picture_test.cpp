@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "base/errors.h"
+#include "core/planning/scenes.h"
 #include "scanner/ray_patterns.h"
-#include "support/meshes.h"
 
 namespace vantage {
 namespace {
@@ -22,11 +22,16 @@ ScannerProfile profileWith(const ReceiverOffsets& receivers) {
 }
 
 // A wall across the rays, from the table to z = 35; its front faces the scanner or, from the other side, its back.
-Model wall() {
-  Model model;
-  model.mesh.vertices = {{0.0, -100.0, 0.0}, {0.0, 100.0, 0.0}, {0.0, 100.0, 35.0}, {0.0, -100.0, 35.0}};
-  model.mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
-  return model;
+Mesh wall() {
+  Mesh mesh;
+  mesh.vertices = {{0.0, -100.0, 0.0}, {0.0, 100.0, 0.0}, {0.0, 100.0, 35.0}, {0.0, -100.0, 35.0}};
+  mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
+  return mesh;
+}
+
+ScannerPicture pictureFrom(int position, const Mesh& surface, const std::vector<VoidPatch>& patches = {},
+                           const ReceiverOffsets& receivers = {}) {
+  return computeScannerPicture(*testing::sceneOf(profileWith(receivers), surface, patches), position, {});
 }
 
 VoidPatch patchAt(double x) {
@@ -36,7 +41,7 @@ VoidPatch patchAt(double x) {
 }
 
 TEST(ScannerPicture, ShowsSurfaceWhereRaysMeetItAndNothingElsewhere) {
-  const ScannerPicture picture = computeScannerPicture(profileWith({}), 0, wall(), nullptr);
+  const ScannerPicture picture = pictureFrom(0, wall());
   ASSERT_EQ(picture.rows, 5);
   ASSERT_EQ(picture.columns, 9);
   EXPECT_EQ(picture.count(RaySight::Surface), 27U);  // rows at z = 10, 20 and 30
@@ -46,47 +51,46 @@ TEST(ScannerPicture, ShowsSurfaceWhereRaysMeetItAndNothingElsewhere) {
 }
 
 TEST(ScannerPicture, FromBehindASurfaceIsItsInside) {
-  const ScannerPicture picture = computeScannerPicture(profileWith({}), 2, wall(), nullptr);
+  const ScannerPicture picture = pictureFrom(2, wall());
   EXPECT_EQ(picture.count(RaySight::Back), 27U);
   EXPECT_EQ(picture.count(RaySight::Surface), 0U);
 }
 
 TEST(ScannerPicture, FromTheSideAWallIsMissed) {
-  EXPECT_EQ(computeScannerPicture(profileWith({}), 1, wall(), nullptr).count(RaySight::Surface), 0U);
+  EXPECT_EQ(pictureFrom(1, wall()).count(RaySight::Surface), 0U);
 }
 
 TEST(ScannerPicture, VoidIsSeenUnlessSurfaceIsInFrontOfIt) {
-  VoidSurface voids;
-  voids.patches = {patchAt(0.0)};
-  EXPECT_EQ(computeScannerPicture(profileWith({}), 0, wall(), &voids).count(RaySight::Void), 9U);  // the row at z = 40
-  Model screen = wall();
-  for (Vec3& v : screen.mesh.vertices) v += Vec3(50.0, 0.0, 20.0);
-  EXPECT_EQ(computeScannerPicture(profileWith({}), 0, screen, &voids).count(RaySight::Void), 0U);
+  const std::vector<VoidPatch> voids{patchAt(0.0)};
+  EXPECT_EQ(pictureFrom(0, wall(), voids).count(RaySight::Void), 9U);  // the row at z = 40
+  Mesh screen = wall();
+  for (Vec3& v : screen.vertices) v += Vec3(50.0, 0.0, 20.0);
+  EXPECT_EQ(pictureFrom(0, screen, voids).count(RaySight::Void), 0U);
 }
 
 TEST(ScannerPicture, SurfaceThatNoReceiverSeesIsTold) {
-  Model model = wall();
+  Mesh mesh = wall();
   // A board between the wall and the receiver, which stands 300 mm aside.
-  const auto first = static_cast<std::uint32_t>(model.mesh.vertices.size());
+  const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
   for (const Vec3& v : {Vec3(5.0, 60.0, 0.0), Vec3(190.0, 60.0, 0.0), Vec3(190.0, 60.0, 60.0), Vec3(5.0, 60.0, 60.0)})
-    model.mesh.vertices.push_back(v);
-  model.mesh.triangles.push_back({first, first + 1, first + 2});
-  model.mesh.triangles.push_back({first, first + 2, first + 3});
+    mesh.vertices.push_back(v);
+  mesh.triangles.push_back({first, first + 1, first + 2});
+  mesh.triangles.push_back({first, first + 2, first + 3});
   const auto blocked = [&](double aside) {
-    return computeScannerPicture(profileWith({{aside, 0.0, 0.0}}), 0, model, nullptr).count(RaySight::ReceiverBlocked);
+    return pictureFrom(0, mesh, {}, {{aside, 0.0, 0.0}}).count(RaySight::ReceiverBlocked);
   };
   // To either side of the head: the board stands on one of them.
   EXPECT_EQ(blocked(300.0) + blocked(-300.0), 27U);
 }
 
 TEST(ScannerPicture, KnowsWhichWayIsUp) {
-  const ScannerPicture picture = computeScannerPicture(profileWith({}), 0, wall(), nullptr);
+  const ScannerPicture picture = pictureFrom(0, wall());
   EXPECT_TRUE(picture.rowsUp);  // a stripe's rows run upward
 }
 
 TEST(ScannerPicture, RefusesAPositionThatThereIsNot) {
-  EXPECT_THROW((void)computeScannerPicture(profileWith({}), 4, wall(), nullptr), InvalidInput);
-  EXPECT_THROW((void)computeScannerPicture(profileWith({}), -1, wall(), nullptr), InvalidInput);
+  EXPECT_THROW((void)pictureFrom(4, wall()), InvalidInput);
+  EXPECT_THROW((void)pictureFrom(-1, wall()), InvalidInput);
 }
 
 }  // namespace

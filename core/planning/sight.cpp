@@ -1,5 +1,6 @@
-#include "planning/visibility.h"
+#include "planning/sight.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace vantage {
@@ -43,15 +44,19 @@ Sight SightTest::look(const Pose& T_object_scanner, const Vec3& point, const Vec
   if (obstacles_.occluded(start, T_object_scanner * ray.origin, options_.margin)) return sighting;
 
   sighting.visibility = Visibility::ReceiverBlocked;
-  bool received = !rays.triangulates();
-  for (const Vec3& r : rays.receivers(rays.nearest(*place))) {
-    const Vec3 receiver = T_object_scanner * r;
-    if ((receiver - point).dot(normal) <= 0.0 || obstacles_.occluded(start, receiver, options_.margin)) continue;
-    received = true;
-    break;
-  }
-  if (received) sighting.visibility = Visibility::Seen;
+  if (received(T_object_scanner, rays.nearest(*place), point, normal)) sighting.visibility = Visibility::Seen;
   return sighting;
+}
+
+bool SightTest::received(const Pose& T_object_scanner, std::size_t ray, const Vec3& point, const Vec3& normal) const {
+  const RayGrid& rays = *profile_.rays;
+  if (!rays.triangulates()) return true;
+  const Vec3 start = point + options_.offset * normal;
+  const auto receivers = rays.receivers(ray);
+  return std::any_of(receivers.begin(), receivers.end(), [&](const Vec3& r) {
+    const Vec3 receiver = T_object_scanner * r;
+    return (receiver - point).dot(normal) > 0.0 && !obstacles_.occluded(start, receiver, options_.margin);
+  });
 }
 
 }  // namespace vantage

@@ -22,10 +22,11 @@ struct Sight {
   Vec3 direction = Vec3::Zero();  ///< unit, from the point to the light source, object coordinates
 };
 
+/// How a point is looked at. Planning takes offset and margin from the sample spacing: see PlannerOptions.
 struct SightOptions {
   double breakdownAngle = radians(60.0);  ///< [rad]
-  double offset = 0.3;                    ///< the lines begin this far in front of the surface [mm]
-  double margin = 0.6;                    ///< and what blocks them within this distance does not count [mm]
+  double offset = 0.0;                    ///< lines of sight begin this far in front of the surface [mm]
+  double margin = 0.0;                    ///< and what blocks them within this distance does not count [mm]
 };
 
 /// Looks at a point with the scanner's own ranging rays: the ray through it, its range limits, its angle, and the lines
@@ -43,6 +44,12 @@ class SightTest {
   /// The same up to another angle than the breakdown angle [rad].
   [[nodiscard]] Sight look(const Pose& T_object_scanner, const Vec3& point, const Vec3& normal,
                            double widestAngle) const;
+
+  /// Whether a receiver of the ranging ray of that index sees the point; true for a scanner that does not triangulate.
+  [[nodiscard]] bool received(const Pose& T_object_scanner, std::size_t ray, const Vec3& point,
+                              const Vec3& normal) const;
+
+  [[nodiscard]] const SightOptions& options() const { return options_; }
 
  private:
   const ScannerProfile& profile_;

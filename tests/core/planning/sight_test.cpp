@@ -1,8 +1,8 @@
-#include "planning/visibility.h"
+#include "planning/sight.h"
 
 #include <gtest/gtest.h>
 
-#include "core/planning/flat_scanner.h"
+#include "core/planning/scenes.h"
 #include "support/meshes.h"
 
 namespace vantage {
@@ -52,6 +52,31 @@ TEST(SightTest, TurnsWithThePose) {
   EXPECT_EQ(s.visibility, Visibility::Seen);
   EXPECT_NEAR(s.cosine, 1.0, 1e-12);
   EXPECT_TRUE(s.direction.isApprox(Vec3::UnitY(), 1e-12));
+}
+
+TEST(SightTest, DoesNotMindWhatIsNearerThanTheMargin) {
+  const ScannerProfile profile = testing::flatScanner();
+  const Mesh nearby = wall({0.5, -5, 95}, {0.6, 5, 105});
+  const RayCaster caster(nearby);
+  const auto with = [&](double margin) {
+    return SightTest(profile, caster, {radians(60.0), 0.1, margin}).look(Pose::Identity(), {0, 0, 100}, Vec3::UnitX());
+  };
+  EXPECT_EQ(with(0.1).visibility, Visibility::LightBlocked);
+  EXPECT_EQ(with(1.0).visibility, Visibility::Seen);
+}
+
+TEST(SightTest, IsReceivedOnlyOnTheSideThatTheNormalPointsTo) {
+  const ScannerProfile profile = testing::flatScanner();
+  const RayCaster caster(kNothing);
+  const SightTest sight(profile, caster, {});
+  const std::size_t ray = profile.rays->nearest(*profile.rays->locate({0, 0, 100}));
+  EXPECT_TRUE(sight.received(Pose::Identity(), ray, {0, 0, 100}, Vec3::UnitX()));
+  EXPECT_FALSE(sight.received(Pose::Identity(), ray, {0, 0, 100}, -Vec3::UnitX()));
+}
+
+TEST(Visibility, HasANameForEveryValue) {
+  EXPECT_EQ(name(Visibility::OutOfReach), "out_of_reach");
+  EXPECT_EQ(name(Visibility::Seen), "seen");
 }
 
 }  // namespace

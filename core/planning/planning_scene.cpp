@@ -1,0 +1,105 @@
+#include "planning/planning_scene.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "base/errors.h"
+#include "planning/planning_surface.h"
+#include "planning/void_extent.h"
+#include "void_space/void_patch_builder.h"
+
+namespace vantage {
+namespace {
+
+double meanSpacing(const std::vector<View>& views) {
+  if (views.empty()) throw InvalidInput("planning has 0 views to go on from, expected at least 1");
+  double sum = 0.0;
+  for (const View& view : views) sum += view.mesh->spacing;
+  return sum / static_cast<double>(views.size());
+}
+
+std::shared_ptr<const VoidSurface> findVoid(const PlanInput& input, const PlannerOptions& options,
+                                            const Progress& progress) {
+  const double spacing = meanSpacing(input.views);
+  VoidOptions voidOptions;
+  voidOptions.breakdownAngle = input.profile->breakdownAngle;
+  VoidSurface surface = buildVoidPatches(*input.model, input.views, voidOptions, progress);
+  if (options.lookAhead) {
+    const auto extents = voidExtents(
+        surface.patches, {options.lookAheadReach * spacing, options.widestHole * spacing, options.facingAngle});
+    for (std::size_t p = 0; p < extents.size(); ++p) surface.patches[p].weight *= extents[p];
+  }
+  return std::make_shared<const VoidSurface>(std::move(surface));
+}
+
+// Nothing when the object stands on the table as its frame does: then nothing is moved, to the last bit.
+std::optional<Pose> tableFrame(const Pose& T_object_table) {
+  if (T_object_table.matrix() == Pose::Identity().matrix()) return std::nullopt;
+  return T_object_table.inverse();
+}
+
+std::optional<std::vector<VoidPatch>> moved(const std::vector<VoidPatch>& patches,
+                                            const std::optional<Pose>& T_table_object) {
+  if (!T_table_object) return std::nullopt;
+  std::vector<VoidPatch> result = patches;
+  for (VoidPatch& patch : result) {
+    patch.centre = *T_table_object * patch.centre;
+    patch.normal = T_table_object->linear() * patch.normal;
+    for (Vec3& corner : patch.corners) corner = *T_table_object * corner;
+  }
+  return result;
+}
+
+std::vector<View> moved(std::vector<View> views, const std::optional<Pose>& T_table_object) {
+  if (T_table_object)
+    for (View& view : views) view.T_object_scanner = *T_table_object * view.T_object_scanner;
+  return views;
+}
+
+Mesh surfaceOf(const PlanInput& input, const PlannerOptions& options, const std::optional<Pose>& T_table_object,
+               const Progress& progress) {
+  Mesh mesh = tracedMesh(input.model->mesh, options.tracedTriangles, options.planningError, progress);
+  return T_table_object ? transformed(mesh, *T_table_object) : mesh;
+}
+
+}  // namespace
+
+PlanningScene::PlanningScene(PlanInput input, const PlannerOptions& options, const Progress& progress)
+    : PlanningScene(input, findVoid(input, options, progress.part(0.0, 0.5)), options, progress.part(0.5, 1.0)) {}
+
+PlanningScene::PlanningScene(PlanInput input, std::shared_ptr<const VoidSurface> voids, const PlannerOptions& options,
+                             const Progress& progress)
+    : input_(std::move(input)),
+      options_(options),
+      spacing_(meanSpacing(input_.views)),
+      T_table_object_(tableFrame(input_.T_object_table)),
+      voids_(std::move(voids)),
+      turnedPatches_(moved(voids_->patches, T_table_object_)),
+      surface_(surfaceOf(input_, options_, T_table_object_, progress.part(0.0, 0.6))),
+      obstacles_(surface_),
+      sight_(*input_.profile, obstacles_,
+             {input_.profile->breakdownAngle, options_.surfaceOffset * spacing_, options_.sightMargin * spacing_}),
+      history_(patches(), moved(input_.views, T_table_object_), sight_, options_.history, progress.part(0.6, 1.0)) {}
+
+const Pose& PlanningScene::pose(int position) const {
+  const std::vector<Pose>& poses = profile().workspace.poses;
+  if (position < 0 || position >= static_cast<int>(poses.size()))
+    throw InvalidInput("position " + std::to_string(position) + " is not in the workspace, which has positions 0 to " +
+                       std::to_string(static_cast<int>(poses.size()) - 1));
+  return poses[static_cast<std::size_t>(position)];
+}
+
+bool PlanningScene::taken(int position) const {
+  return std::find(input_.taken.begin(), input_.taken.end(), position) != input_.taken.end();
+}
+
+Vec3 PlanningScene::pointOnTable(const Vec3& inObject) const {
+  return T_table_object_ ? *T_table_object_ * inObject : inObject;
+}
+
+Vec3 PlanningScene::directionOnTable(const Vec3& inObject) const {
+  return T_table_object_ ? T_table_object_->linear() * inObject : inObject;
+}
+
+}  // namespace vantage

@@ -1,0 +1,97 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "base/progress.h"
+#include "geometry/ray_caster.h"
+#include "integration/model.h"
+#include "planning/patch_history.h"
+#include "planning/planner_options.h"
+#include "planning/sight.h"
+#include "scanner/profile.h"
+#include "scanner/view.h"
+#include "void_space/void_patch.h"
+
+namespace vantage {
+
+/// What a plan is made from. Parts are immutable and shared.
+struct PlanInput {
+  std::shared_ptr<const ScannerProfile> profile;
+  std::shared_ptr<const Model> model;
+  std::vector<View> views;     ///< all that the model is made of, in every stand of the object
+  std::vector<int> taken;      ///< positions that scans were taken from, in the stand that is planned for
+  std::optional<int> current;  ///< where the scanner is, which a tie is broken by
+  /// How the object stands. Poses of the workspace are taken relative to the table: a position sees the object from
+  /// T_object_table times its pose.
+  Pose T_object_table = Pose::Identity();
+};
+
+/// What a plan is made with: everything that plan, images, sights, pictures and certificate have in common, put
+/// together once, so that what explains a plan agrees with it. Immutable; any number of threads may ask it.
+///
+/// It lives in the table's frame, in which workspace, scanner images and positional space are: model, views and patches
+/// are moved there, unless both frames are the same.
+class PlanningScene {
+ public:
+  /// Finds the void patches of the model.
+  /// @throws InvalidInput when there is no view yet, or a model that does not fit its views; Cancelled
+  PlanningScene(PlanInput input, const PlannerOptions& options, const Progress& progress);
+
+  /// The scene of a plan that was made of the same input and options.
+  /// @param voids the void patches of that plan
+  /// @throws InvalidInput when there is no view yet; Cancelled
+  PlanningScene(PlanInput input, std::shared_ptr<const VoidSurface> voids, const PlannerOptions& options,
+                const Progress& progress);
+
+  PlanningScene(const PlanningScene&) = delete;
+  PlanningScene& operator=(const PlanningScene&) = delete;
+
+  [[nodiscard]] const PlanInput& input() const { return input_; }
+  [[nodiscard]] const ScannerProfile& profile() const { return *input_.profile; }
+  [[nodiscard]] const PlannerOptions& options() const { return options_; }
+  /// Mean sample spacing of the views [mm].
+  [[nodiscard]] double spacing() const { return spacing_; }
+  /// theta_b of the scanner [rad].
+  [[nodiscard]] double breakdownAngle() const { return profile().breakdownAngle; }
+
+  /// The void patches in the object's frame, weighted by their extents.
+  [[nodiscard]] const std::shared_ptr<const VoidSurface>& voids() const { return voids_; }
+  /// The same in the table's frame.
+  [[nodiscard]] std::span<const VoidPatch> patches() const {
+    return turnedPatches_ ? *turnedPatches_ : voids_->patches;
+  }
+  /// What the views say about the patches.
+  [[nodiscard]] const PatchHistory& history() const { return history_; }
+
+  /// The surface that blocks the sight, in the table's frame: the model's, decimated when it is large.
+  [[nodiscard]] const Mesh& surface() const { return surface_; }
+  [[nodiscard]] const RayCaster& obstacles() const { return obstacles_; }
+  /// Looks at points in the table's frame up to the breakdown angle.
+  [[nodiscard]] const SightTest& sight() const { return sight_; }
+
+  /// T_table_scanner of a position.
+  /// @throws InvalidInput for a position that the workspace does not have
+  [[nodiscard]] const Pose& pose(int position) const;
+  /// A second scan from the same place finds what the first one found.
+  [[nodiscard]] bool taken(int position) const;
+  /// The same point and direction in the table's frame.
+  [[nodiscard]] Vec3 pointOnTable(const Vec3& inObject) const;
+  [[nodiscard]] Vec3 directionOnTable(const Vec3& inObject) const;
+
+ private:
+  PlanInput input_;
+  PlannerOptions options_;
+  double spacing_;
+  std::optional<Pose> T_table_object_;  // nothing when the frames are the same
+  std::shared_ptr<const VoidSurface> voids_;
+  std::optional<std::vector<VoidPatch>> turnedPatches_;
+  Mesh surface_;
+  RayCaster obstacles_;
+  SightTest sight_;
+  PatchHistory history_;
+};
+
+}  // namespace vantage

@@ -1,0 +1,168 @@
+#include "planning/planner.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "base/errors.h"
+#include "core/planning/scenes.h"
+#include "planning/choice.h"
+#include "planning/planner_options.h"
+#include "planning/position_sight.h"
+
+namespace vantage {
+namespace {
+
+const testing::ScannedObject& object() {
+  static const testing::ScannedObject scanned({0, 5});
+  return scanned;
+}
+
+const ScannerImages& images() {
+  static const ScannerImages computed = computeScannerImages(*object().profile);
+  return computed;
+}
+
+Plan planOf(const PlanInput& input, const PlannerOptions& options = {}, const Progress& progress = {}) {
+  return planNextView(input, images(), options, progress);
+}
+
+// The object and its views, moved in the object's frame.
+PlanInput moved(PlanInput input, const Pose& motion) {
+  Model model = *input.model;
+  model.mesh = transformed(model.mesh, motion);
+  input.model = std::make_shared<const Model>(std::move(model));
+  for (View& view : input.views) view.T_object_scanner = motion * view.T_object_scanner;
+  return input;
+}
+
+void expectSame(double a, double b, const PositionScore& score) {
+  EXPECT_NEAR(a, b, 1e-6 * std::max(1.0, std::abs(b))) << "position " << score.position;
+}
+
+TEST(Planner, ChoosesWhatPromisesMostOfAllPositionsThatAreAllowed) {
+  const Plan plan = planOf(object().input());
+  ASSERT_EQ(plan.outcome, PlanOutcome::Found);
+  ASSERT_TRUE(plan.position.has_value());
+  const PositionScore& chosen = plan.scores[static_cast<std::size_t>(*plan.position)];
+  EXPECT_EQ(chosen.constraint, Constraint::Chosen);
+  EXPECT_TRUE(chosen.tracedVoidArea.has_value());
+  EXPECT_TRUE(chosen.poseSigma.has_value());
+  EXPECT_GT(promise(chosen), plan.terminationThreshold);
+  EXPECT_GT(chosen.overlapArea, plan.leastOverlap);
+  for (const PositionScore& score : plan.scores) {
+    if (score.constraint == Constraint::Outscored) {
+      EXPECT_LE(promise(score), promise(chosen)) << "position " << score.position;
+    }
+  }
+}
+
+TEST(Planner, PromisesNothingOfAPositionThatWasTaken) {
+  const Plan plan = planOf(object().input());
+  EXPECT_EQ(plan.scores[0].voidArea, 0.0);
+  EXPECT_EQ(plan.scores[5].voidArea, 0.0);
+  EXPECT_GT(plan.scores[0].overlapArea, 0.0);
+}
+
+TEST(Planner, FinishesWhereNothingPromisesMoreThanTheThresholdAndSaysWhyEveryEdgeIsLeft) {
+  PlannerOptions options;
+  options.termination.threshold = 1e6;
+  const Plan plan = planOf(object().input(), options);
+  EXPECT_EQ(plan.outcome, PlanOutcome::Finished);
+  EXPECT_EQ(plan.position, std::nullopt);
+  ASSERT_EQ(plan.outlook.size(), plan.voids->patches.size());
+  double left = 0.0;
+  for (const PatchOutlook& outlook : plan.outlook) left += outlook.promise;
+  EXPECT_GT(left, 0.0);
+  EXPECT_DOUBLE_EQ(plan.voidLeft, left);
+}
+
+TEST(Planner, FindsNoOverlapWhereNoneIsEnoughHoweverRelaxed) {
+  PlannerOptions options;
+  options.leastOverlap = 1e9;
+  options.maxRelaxations = 2;
+  const Plan plan = planOf(object().input(), options);
+  EXPECT_EQ(plan.outcome, PlanOutcome::NoOverlap);
+  EXPECT_EQ(plan.position, std::nullopt);
+  EXPECT_EQ(plan.relaxations, 2);
+}
+
+TEST(Planner, GivesTheSameForAnyNumberOfThreads) {
+  const Plan one = planOf(object().input(), {}, Progress().withThreads(1));
+  const Plan four = planOf(object().input(), {}, Progress().withThreads(4));
+  EXPECT_EQ(one.position, four.position);
+  for (std::size_t i = 0; i < one.scores.size(); ++i) {
+    EXPECT_EQ(one.scores[i].voidArea, four.scores[i].voidArea);
+    EXPECT_EQ(one.scores[i].overlapArea, four.scores[i].overlapArea);
+    EXPECT_EQ(one.scores[i].tracedVoidArea, four.scores[i].tracedVoidArea);
+    EXPECT_EQ(one.scores[i].poseSigma, four.scores[i].poseSigma);
+  }
+}
+
+TEST(Planner, ChoosesTheSameHoweverTheObjectsFrameLies) {
+  const Pose motion = Eigen::Translation3d(3.0, -2.0, 7.0) * Eigen::AngleAxisd(0.7, Vec3(1, 2, 3).normalized());
+  PlanInput input = moved(object().input(), motion);
+  input.T_object_table = motion;
+  const Plan plain = planOf(object().input());
+  const Plan turned = planOf(input);
+  EXPECT_EQ(turned.position, plain.position);
+  ASSERT_EQ(turned.scores.size(), plain.scores.size());
+  for (std::size_t i = 0; i < plain.scores.size(); ++i) {
+    const PositionScore& score = plain.scores[i];
+    expectSame(turned.scores[i].voidArea, score.voidArea, score);
+    expectSame(turned.scores[i].overlapArea, score.overlapArea, score);
+    ASSERT_EQ(turned.scores[i].tracedVoidArea.has_value(), score.tracedVoidArea.has_value());
+    expectSame(turned.scores[i].tracedVoidArea.value_or(0.0), score.tracedVoidArea.value_or(0.0), score);
+    expectSame(turned.scores[i].poseSigma.value_or(0.0), score.poseSigma.value_or(0.0), score);
+  }
+  for (std::size_t p = 0; p < plain.voids->patches.size(); ++p)
+    EXPECT_TRUE(turned.voids->patches[p].centre.isApprox(motion * plain.voids->patches[p].centre, 1e-9));
+}
+
+// Another stand: the object is turned by half a turn on the table, so that position i sees it as i + 12 did.
+TEST(Planner, OfAnotherStandRulesOutNoPositionThatWasTakenInTheFirst) {
+  PlanInput input = object().input();
+  input.T_object_table = Pose(Eigen::AngleAxisd(kPi, Vec3::UnitZ()));
+  input.taken.clear();
+  const Plan other = planOf(input);
+  const Plan first = planOf(object().input());
+  EXPECT_GT(other.scores[0].voidArea, 0.0);
+  for (std::size_t i = 0; i < 24; ++i) {
+    const std::size_t same = (i + 12) % 24;
+    if (same == 0 || same == 5) continue;  // taken in the first
+    EXPECT_NEAR(other.scores[i].voidArea, first.scores[same].voidArea, 0.01 * first.scores[same].voidArea + 0.1) << i;
+    EXPECT_NEAR(other.scores[i].overlapArea, first.scores[same].overlapArea,
+                0.01 * first.scores[same].overlapArea + 0.1);
+  }
+  input.taken = {0};
+  EXPECT_EQ(planOf(input).scores[0].voidArea, 0.0);
+}
+
+// Obstacles are decimated here: what explains the plan must see the same ones.
+TEST(Planner, IsExplainedByWhatItWasMadeWith) {
+  PlannerOptions options;
+  options.tracedTriangles = object().model->mesh.triangles.size() - 1;
+  options.planningError = 0.05;
+  const Plan plan = planOf(object().input(), options);
+  const PlanningScene scene(object().input(), plan.voids, options, {});
+  EXPECT_LT(scene.surface().triangles.size(), object().model->mesh.triangles.size());
+  int traced = 0;
+  for (const PositionScore& score : plan.scores) {
+    if (!score.tracedVoidArea) continue;
+    ++traced;
+    const PositionSight sight = computePositionSight(scene, score.position, {});
+    for (const std::uint32_t p : score.patches) EXPECT_EQ(sight.patches[p].visibility, Visibility::Seen);
+  }
+  EXPECT_GT(traced, 0);
+}
+
+TEST(Planner, NeedsAView) {
+  PlanInput input = object().input();
+  input.views.clear();
+  EXPECT_THROW((void)planOf(input), InvalidInput);
+}
+
+}  // namespace
+}  // namespace vantage
