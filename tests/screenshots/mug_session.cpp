@@ -12,11 +12,8 @@ namespace vantage::testing {
 namespace {
 
 std::shared_ptr<const PlanImages> imagesOf(const AcquisitionState& state, const ScannerImages& scannerImages) {
-  const auto plan = state.plan;
-  const std::vector<View> views = viewsOf(state);
-  return std::make_shared<const PlanImages>(computePlanImages(
-      {*state.profile, scannerImages, *state.model, views, state.scans.back().station().position.value()}, *plan->voids,
-      stepOptionsFor(state).planner, Progress()));
+  const PlanningScene scene(planInputOf(state), state.plan->voids, stepOptionsFor(state).planner, {});
+  return std::make_shared<const PlanImages>(computePlanImages(scene, scannerImages, {}));
 }
 
 std::vector<SharedSnapshot> acquireMug() {
