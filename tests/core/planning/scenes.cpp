@@ -3,8 +3,8 @@
 #include <utility>
 
 #include "integration/zipper.h"
-#include "scanner/simulated_scanner.h"
 #include "support/meshes.h"
+#include "support/simulation.h"
 
 namespace vantage::testing {
 namespace {
@@ -72,9 +72,9 @@ ScannedObject::ScannedObject(const std::vector<int>& positions)
     // edge hangs on the last bit.
     const auto k = static_cast<double>(views.size());
     const Pose tilt = smallMotion((Vec6() << 0.011 * k, -0.007 * k, 0.0, 0.0, 0.0, 0.3 * k).finished());
-    SimulatedScanner scanner(transformed(threeSpheres(), tilt), profile, {1, false}, static_cast<int>(k));
+    const Rig rig = testing::simulation(transformed(threeSpheres(), tilt), profile, {1, false}, static_cast<int>(k));
     View view;
-    view.image = std::make_shared<const RangeImage>(scanner.scan(position, {}));
+    view.image = std::make_shared<const RangeImage>(scanFrom(rig, position, {}));
     view.mesh = std::make_shared<const ViewMesh>(triangulate(*view.image, triangulation));
     view.T_object_scanner = tilt.inverse() * profile->workspace.poses[static_cast<std::size_t>(position)];
     views.push_back(std::move(view));
