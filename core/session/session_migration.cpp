@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/errors.h"
+#include "session/earlier_endings.h"
 #include "session/session_json.h"
 #include "session/session_schema.h"
 #include "session/stored_history.h"
@@ -171,35 +172,38 @@ void rewriteRecords(Database& database) {
   for (const auto& [id, text] : changed) update.bind(1, std::string_view(text)).bind(2, id).run();
 }
 
-// Version 2 knew one stand, hung the plan that holds on the last view, and called everything finished that had ended
-// well: also what the operator had ended while a next view was known, and what was imported.
-void migrateFrom2(Database& database) {
-  for (const char* name : {"view", "step", "scan"}) {
-    database.run(std::string("ALTER TABLE ") + name + " RENAME TO " + name + "2");
-    createSessionTable(database, 3, name);
-  }
+// The plan that holds was that of the last view, and a view had the plan that was made last after it; now it keeps the
+// one that was made when it was added. Scans of all kinds become one list, in their order, which is that of the views
+// in the model.
+void takeOverTables2(Database& database) {
   database.run(
       "INSERT INTO scan SELECT id, 0, CASE WHEN position >= 0 THEN position END, CASE WHEN position >= 0 THEN "
       "'commanded' ELSE 'reported' END, rays, nominal, range FROM scan2");
   database
       .prepare(
           "INSERT INTO step SELECT id, parent, kind, command, settings, 'automatic', ?, CASE WHEN chosen >= 0 THEN "
-          "chosen END, termination, views, model, ifnull((SELECT plan FROM view2 WHERE step = step2.id AND status = "
-          "'in' ORDER BY place DESC LIMIT 1), 0), '' FROM step2")
+          "chosen END, termination, views, model, ifnull(last.plan, 0), '' FROM step2 LEFT JOIN (SELECT step, plan, "
+          "max(place) FROM view2 WHERE status = 'in' GROUP BY step) AS last ON last.step = step2.id")
       .bind(1, std::string_view(standsText({{Pose::Identity()}})))
       .run();
   database.run(
-      "INSERT INTO view(step, place, scan, status, pose, record, plan) SELECT step, row_number() OVER (PARTITION BY "
-      "step ORDER BY scan) - 1, scan, replace(status, ' ', '_'), pose, record, plan FROM view2 ORDER BY step, scan");
+      "INSERT INTO view(step, place, scan, status, pose, record, plan) SELECT v.step, row_number() OVER (PARTITION BY "
+      "v.step ORDER BY v.scan, v.id) - 1, v.scan, replace(v.status, ' ', '_'), v.pose, v.record, ifnull(first.plan, "
+      "v.plan) FROM view2 v LEFT JOIN (SELECT step, scan, max(plan) AS plan FROM view2 WHERE step = record GROUP BY "
+      "step, scan) AS first ON first.step = v.record AND first.scan = v.scan ORDER BY v.step, v.scan, v.id");
+}
+
+// Version 2 knew one stand and nobody but the program that takes the next step.
+void migrateFrom2(Database& database) {
+  // All are renamed before any is made anew: a table that refers to one that is renamed is changed with it.
+  for (const char* name : {"view", "step", "scan"})
+    database.run(std::string("ALTER TABLE ") + name + " RENAME TO " + name + "2");
+  for (const char* name : {"scan", "step", "view"}) createSessionTable(database, 3, name);
+  takeOverTables2(database);
   for (const char* name : {"view2", "step2", "scan2"}) database.run(std::string("DROP TABLE ") + name);
   rewriteTexts(database);
   rewriteRecords(database);
-  database.run(
-      "UPDATE step SET termination = 'ended_by_operator' WHERE termination = 'finished' AND plan IN (SELECT step FROM "
-      "plan WHERE json_valid(summary) AND json_extract(summary, '$.outcome') = 'found')");
-  database.run(
-      "UPDATE step SET termination = 'imported' WHERE termination = 'finished' AND id >= (SELECT min(id) FROM step "
-      "WHERE kind = 'import_scans')");
+  renameEarlierEndings(database);
   database.run("UPDATE meta SET value = '3' WHERE key = 'schema'");
 }
 

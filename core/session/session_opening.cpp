@@ -47,8 +47,11 @@ Preparation prepareForWriting(const std::string& path, std::vector<std::string>&
     Database database(path, Database::Mode::Read);
     const int version = checkSessionTables(database);
     sound = database.sound();
+    if (sound && version != kSessionSchema) {
+      database = database.copyInMemory();
+      migrateSession(database);
+    }
     SessionStore store(std::move(database));
-    if (sound && version != kSessionSchema) return {};
     if (sound) preparation.damages = damagedScans(store).size();
     if (sound && (preparation.damages == 0 || copiedBefore(store, preparation.damages))) return {};
   }

@@ -1,0 +1,81 @@
+#include "session/session_opening.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "base/errors.h"
+#include "earlier_versions.h"
+#include "session/session_schema.h"
+
+namespace vantage {
+namespace {
+
+using testing::bytesOf;
+using testing::earlierSession;
+using testing::EarlierVersions;
+
+// Of one row of each kind the text is damaged.
+TEST_F(EarlierVersions, ADamagedRowIsNamedAndLosesNothingElse) {
+  const std::pair<const char*, std::string> damages[] = {
+      {"UPDATE record SET data = '{\"scan\": 2' WHERE scan = 2", "record"},
+      {"UPDATE step SET settings = '{}' WHERE id = 6", "step 6"},
+      {"UPDATE step SET command = 'x' WHERE id = 6", "step 6"},
+      {"UPDATE plan SET summary = '[' WHERE step = 6", "plan 6"}};
+  for (const auto& [sql, part] : damages) {
+    for (const SessionAccess access : {SessionAccess::Read, SessionAccess::Write}) {
+      const testing::TemporaryFolder folder;
+      const std::string path = folder.write("ended.vantage", bytesOf(earlierSession("schema_2_ended")));
+      {
+        Database database(path, Database::Mode::Write);
+        database.run(sql);
+        database.run("PRAGMA journal_mode=DELETE");
+      }
+      const std::string damaged = bytesOf(path);
+      const Session session = Session::open(path, access);
+      EXPECT_EQ(countScans(*session.state(), ScanStatus::In), 2U) << sql;
+      EXPECT_EQ(session.state()->termination, Termination::EndedByOperator) << sql;
+      for (std::size_t i = 0; i < session.history().size(); ++i) static_cast<void>(session.state(i));
+      const std::vector<std::string> losses = session.losses();
+      EXPECT_TRUE(std::any_of(losses.begin(), losses.end(), [&](const std::string& loss) {
+        return loss.find(part) != std::string::npos;
+      })) << sql;
+      // A plan is read when it is asked for.
+      if (access == SessionAccess::Write && part != "plan 6") {
+        EXPECT_EQ(bytesOf(path + ".damaged-1"), damaged) << sql;
+      }
+    }
+  }
+}
+
+TEST_F(EarlierVersions, DamagedPagesAreRescuedAndBroughtUpToDate) {
+  const std::string good = bytesOf(earlierSession("schema_2_ended"));
+  constexpr std::size_t kPage = 1024;
+  int opened = 0;
+  int tried = 0;
+  for (std::size_t page = 20; page < good.size() / kPage; page += 9) {
+    std::string bad = good;
+    std::fill_n(bad.begin() + static_cast<std::ptrdiff_t>(page * kPage), kPage, '\x2a');
+    const testing::TemporaryFolder folder;
+    const std::string path = folder.write("bad.vantage", bad);
+    ++tried;
+    try {
+      const Session session = Session::open(path, SessionAccess::Write);
+      Database database(path, Database::Mode::Read);
+      EXPECT_EQ(checkSessionTables(database), kSessionSchema) << page;
+      EXPECT_TRUE(database.sound()) << page;
+      static_cast<void>(session.state());
+      ++opened;
+    } catch (const Error&) {
+      // Of some pages nothing else can be read without them.
+    }
+    if (std::filesystem::exists(path + ".damaged-1")) {
+      EXPECT_EQ(bytesOf(path + ".damaged-1"), bad) << page;
+    }
+  }
+  EXPECT_GE(opened, tried * 3 / 4);
+}
+
+}  // namespace
+}  // namespace vantage
