@@ -1,0 +1,128 @@
+#include "acquisition/may_do.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "acquisition/apply_command.h"
+#include "acquisition/next_scan.h"
+#include "acquisition/refusal_error.h"
+#include "core/io/expect_error.h"
+#include "support/scenes/small_scene.h"
+
+namespace vantage {
+namespace {
+
+using testing::expectError;
+
+// A state with scans that nothing was made of but what decides how it goes on.
+AcquisitionState stateWith(const std::vector<std::pair<ScanStatus, int>>& scans) {
+  AcquisitionState state;
+  state.profile = testing::smallProfile();
+  for (const auto& [status, position] : scans) {
+    RangeImage image;
+    image.station.position = position;
+    KeptScan scan;
+    scan.number = static_cast<std::int64_t>(state.scans.size());
+    scan.status = status;
+    scan.view.image = std::make_shared<const RangeImage>(std::move(image));
+    state.scans.push_back(std::move(scan));
+  }
+  if (!scans.empty()) state.model = std::make_shared<const Model>();
+  return state;
+}
+
+TEST(MayDo, AppliesWhatItAllowsAndRefusesWhatItForbids) {
+  AcquisitionState state = stateWith({{ScanStatus::In, 0}, {ScanStatus::LeftOut, 1}});
+  const std::vector<Command> commands{ChoosePosition{23},
+                                      ChoosePosition{24},
+                                      ChoosePosition{},
+                                      LeaveOutView{0},
+                                      LeaveOutView{1},
+                                      TakeBackView{0},
+                                      Finish{Termination::EndedByOperator},
+                                      Finish{Termination::Running},
+                                      TakeOver{},
+                                      TurnObject{},
+                                      ImportScans{{0}},
+                                      PlaceStand{0, Pose::Identity()},
+                                      ChangeMode{Mode::Assisted}};
+  int allowed = 0;
+  for (const Command& command : commands) {
+    if (mayDo(state, command)) {
+      EXPECT_THROW(static_cast<void>(applyCommand(state, command, {}, {})), InvalidInput) << kindOf(command);
+    } else {
+      EXPECT_NO_THROW(static_cast<void>(applyCommand(state, command, {}, {}))) << kindOf(command);
+      ++allowed;
+    }
+  }
+  EXPECT_EQ(allowed, 5);
+}
+
+TEST(MayDo, WithoutAProfileThereIsNoPosition) {
+  const AcquisitionState state;
+  EXPECT_EQ(mayDo(state, ChoosePosition{0})->reason, RefusalReason::NoProfile);
+  EXPECT_EQ(mayDo(state, AddScan{0, {}})->reason, RefusalReason::NoProfile);
+  EXPECT_EQ(mayScan(state)->reason, RefusalReason::NoProfile);
+  EXPECT_FALSE(mayDo(state, ImportScans{{0}}));
+}
+
+TEST(MayDo, EveryReasonHasACodeAndASentenceOfItsOwn) {
+  std::set<std::string> codes;
+  std::set<std::string> sentences;
+  for (int i = 0; i <= static_cast<int>(kLastRefusalReason); ++i) {
+    const auto reason = static_cast<RefusalReason>(i);
+    codes.insert(std::string(name(reason)));
+    try {
+      throwRefusal({reason, 17});
+    } catch (const InvalidInput& e) {
+      sentences.insert(e.what());
+    }
+  }
+  EXPECT_EQ(codes.size(), static_cast<std::size_t>(kLastRefusalReason) + 1);
+  EXPECT_EQ(sentences.size(), codes.size());
+  expectError<InvalidInput>([] { throwRefusal({RefusalReason::NoSuchPosition, 17}); }, {"position 17"});
+}
+
+TEST(NextScan, BeginsWithTheFirstViewAndFollowsTheOperator) {
+  AcquisitionState state = stateWith({});
+  state.settings.firstView = 4;
+  EXPECT_EQ(nextPosition(state), 4);
+  state.chosenPosition = 9;
+  EXPECT_EQ(nextPosition(state), 9);
+  state.termination = Termination::EndedByOperator;
+  EXPECT_EQ(nextPosition(state), 9);
+  state.chosenPosition.reset();
+  EXPECT_EQ(terminationOf(nextScan(state)), Termination::EndedByOperator);
+}
+
+TEST(NextScan, ABaselineTakesItsPositionsInOrder) {
+  AcquisitionState state = stateWith({{ScanStatus::In, 0}});
+  state.settings.strategy = parseStrategy("uniform:4");
+  EXPECT_EQ(nextPosition(state), 6);
+  state = stateWith({{ScanStatus::In, 0}, {ScanStatus::In, 6}, {ScanStatus::In, 12}, {ScanStatus::In, 18}});
+  state.settings.strategy = parseStrategy("uniform:4");
+  EXPECT_EQ(terminationOf(nextScan(state)), Termination::Finished);
+  state.settings.strategy = parseStrategy("random");
+  state.settings.maxViews = 4;
+  EXPECT_EQ(terminationOf(nextScan(state)), Termination::MaxViews);
+}
+
+TEST(NextScan, FourFailuresInARowEndIt) {
+  std::vector<std::pair<ScanStatus, int>> scans{{ScanStatus::In, 0}};
+  for (int i = 1; i <= 4; ++i) {
+    AcquisitionState state = stateWith(scans);
+    EXPECT_EQ(terminationOf(nextScan(state)), Termination::Running) << i;
+    scans.emplace_back(ScanStatus::Rejected, i);
+  }
+  EXPECT_EQ(terminationOf(nextScan(stateWith(scans))), Termination::RegistrationFailed);
+  scans.emplace_back(ScanStatus::In, 5);
+  EXPECT_EQ(terminationOf(nextScan(stateWith(scans))), Termination::Running);
+}
+
+TEST(NextScan, WithoutAPlanOneIsMadeFirst) {
+  EXPECT_TRUE(std::holds_alternative<PlanFirst>(nextScan(stateWith({{ScanStatus::In, 0}}))));
+}
+
+}  // namespace
+}  // namespace vantage
