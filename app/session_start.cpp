@@ -39,7 +39,7 @@ OpenedSession openSession(const std::string& path, const std::string& cacheFolde
     opened.setUp = setUp;
     return opened;
   }
-  if (!setUp->choice.settings.object.empty()) {
+  if (!setUp->choice.settings.simulation.object.empty()) {
     try {
       Mesh mesh = opened.session->object(progress.part(0.4, 0.5, "read object"));
       placeObject(*setUp, std::make_shared<const Mesh>(std::move(mesh)));

@@ -25,15 +25,15 @@ ObjectOnTable measured(std::shared_ptr<const Mesh> mesh, const ViewingVolume& vo
 
 void placeObject(SetUp& setUp, std::shared_ptr<const Mesh> mesh) {
   const AcquisitionSettings& settings = setUp.choice.settings;
-  setUp.devices = Simulated{mesh, setUp.profile, {settings.seed, settings.ideal}};
+  setUp.devices = Simulated{mesh, setUp.profile, {settings.simulation.seed, settings.simulation.ideal}};
   setUp.object = measured(std::move(mesh), setUp.profile->viewingVolume);
 }
 
 bool operator==(const SetUpChoice& a, const SetUpChoice& b) {
   const auto values = [](const SetUpChoice& c) {
     const AcquisitionSettings& s = c.settings;
-    return std::make_tuple(c.scanner, c.folder, s.object, s.placement, s.seed, s.ideal, s.firstView, s.maxViews,
-                           s.tolerance, name(s.strategy));
+    return std::make_tuple(c.scanner, c.folder, s.simulation.object, s.simulation.placement, s.simulation.seed,
+                           s.simulation.ideal, s.firstView, s.maxViews, s.planner.tolerance, name(s.strategy));
   };
   return values(a) == values(b);
 }
@@ -44,8 +44,8 @@ SharedSetUp prepareSetUp(const SetUpChoice& choice, const std::string& cacheFold
   progress.part(0.0, 0.05, "read profile").checkpoint(0.0);
   setUp->source = readProfileSource(choice.scanner);
   setUp->profile = std::make_shared<const ScannerProfile>(parseProfile(setUp->source));
-  if (!choice.settings.object.empty()) {
-    PlacedMesh loaded = loadPlacedMesh(choice.settings.object, choice.settings.placement, setUp->profile->viewingVolume,
+  if (!choice.settings.simulation.object.empty()) {
+    PlacedMesh loaded = loadPlacedMesh(choice.settings.simulation.object, choice.settings.simulation.placement, setUp->profile->viewingVolume,
                                        progress.part(0.05, 0.4, "read object"));
     setUp->notes = describe(loaded.repair);
     placeObject(*setUp, std::make_shared<const Mesh>(std::move(loaded.mesh)));

@@ -21,11 +21,11 @@ struct AcquireArguments {
 
 // The object as the scanner will see it.
 Mesh placeObject(const AcquireArguments& args, const ScannerProfile& profile, CommandContext& context) {
-  PlacedMesh object = loadPlacedMesh(args.settings.object, args.settings.placement, profile.viewingVolume,
-                                     context.progress().part(0.0, 1.0, "read object"));
+  PlacedMesh object = loadPlacedMesh(args.settings.simulation.object, args.settings.simulation.placement,
+                                     profile.viewingVolume, context.progress().part(0.0, 1.0, "read object"));
   if (const std::string repair = describe(object.repair); !repair.empty())
-    context.note(args.settings.object + ": " + repair);
-  if (args.settings.placement == Placement::Fit)
+    context.note(args.settings.simulation.object + ": " + repair);
+  if (args.settings.simulation.placement == Placement::Fit)
     context.note("placed: scaled by " + number(object.transform.scale, 6) + ", moved by (" +
                  number(object.transform.translation.x(), 3) + ", " + number(object.transform.translation.y(), 3) +
                  ", " + number(object.transform.translation.z(), 3) + ") mm");
@@ -55,15 +55,15 @@ void addAcquireCommand(CLI::App& app, CommandContext& context) {
   auto args = std::make_shared<AcquireArguments>();
   CLI::App* command =
       app.add_subcommand("acquire", "Acquire a mesh with the simulated scanner until nothing scannable is left");
-  command->add_option("--object", args->settings.object, "Mesh to put in front of the scanner")->required();
+  command->add_option("--object", args->settings.simulation.object, "Mesh to put in front of the scanner")->required();
   command->add_option("--scanner", args->scanner, "Scanner profile (JSON)")->required();
   command->add_option("--out", args->out, "Folder for session, model and report")->required();
-  command->add_option("--seed", args->settings.seed, "Seed of noise and mechanics")->capture_default_str();
-  command->add_flag("--ideal", args->settings.ideal, "Switch noise and mechanical errors off");
+  command->add_option("--seed", args->settings.simulation.seed, "Seed of noise and mechanics")->capture_default_str();
+  command->add_flag("--ideal", args->settings.simulation.ideal, "Switch noise and mechanical errors off");
   command->add_option("--max-views", args->settings.maxViews, "Stop after so many views")
       ->check(CLI::Range(1, 10000))
       ->capture_default_str();
-  command->add_option("--tolerance", args->settings.tolerance, "Least confidence wanted everywhere (cosine)")
+  command->add_option("--tolerance", args->settings.planner.tolerance, "Least confidence wanted everywhere (cosine)")
       ->check(CLI::Range(0.0, 1.0));
   command->add_option("--place", args->placement, "How the mesh gets into the viewing volume")
       ->check(CLI::IsMember({"as-is", "fit"}))
@@ -84,7 +84,7 @@ void addAcquireCommand(CLI::App& app, CommandContext& context) {
   context.addCommonOptions(*command);
   command->callback([args, &context] {
     args->settings.strategy = parseStrategy(args->strategy);
-    args->settings.placement = parsePlacement(args->placement);
+    args->settings.simulation.placement = parsePlacement(args->placement);
     run(*args, context);
   });
 }

@@ -32,7 +32,7 @@ AcquiredModel loadModel(const std::string& path, CommandContext& context) {
     return {loadMesh(path, {}, context.progress().part(0.0, 0.1, "read model")).mesh};
   const auto state = readSession(path, context);
   if (!state->model) throw InvalidInput(path + ": has no model yet, expected at least one view");
-  return {state->model->mesh, state->settings.placement};
+  return {state->model->mesh, state->settings.simulation.placement};
 }
 
 void run(const EvaluateArguments& args, CommandContext& context) {

@@ -25,7 +25,7 @@ void addSessionFacts(const std::string& path, CommandContext& context, FileInfo&
   info.facts.emplace_back("last_step", describe(history.current().command));
   info.facts.emplace_back("state", std::string(name(outline.termination)));
   info.facts.emplace_back("scanner", session.profile() ? session.profile()->name : std::string("recorded scans"));
-  info.facts.emplace_back("object", outline.settings.object);
+  info.facts.emplace_back("object", outline.settings.simulation.object);
   if (const auto model = session.model(history.cursor()))
     info.facts.emplace_back("model_triangles", static_cast<std::int64_t>(model->mesh.triangles.size()));
   info.facts.emplace_back("damages", static_cast<std::int64_t>(session.losses().size()));

@@ -66,7 +66,7 @@ void SessionRun::run(const std::shared_ptr<const Mesh>& object) {
   try {
     acquireAll(object);
   } catch (const InvalidInput& e) {
-    throw InvalidInput(last_->settings.object + ": " + e.what());
+    throw InvalidInput(last_->settings.simulation.object + ": " + e.what());
   } catch (const Cancelled&) {
     // The session itself stays where it was: it can be resumed.
     AcquisitionState cancelled = *last_;
@@ -85,7 +85,7 @@ void SessionRun::acquireAll(const std::shared_ptr<const Mesh>& object) {
   const auto images = std::make_shared<const ScannerImages>(loadScannerImages(
       *profile, cacheDirectory(), context_.progress().part(0.0, 1.0, "positional space of the scanner")));
   // Scans that were taken before have moved the turntable, whatever became of them.
-  const Simulated devices{object, profile, {last_->settings.seed, last_->settings.ideal}};
+  const Simulated devices{object, profile, {last_->settings.simulation.seed, last_->settings.simulation.ideal}};
   const Rig rig = DeviceFactory().open(devices, session_.scanCount(), context_.progress());
   if (const auto unused = session_.unusedScan())
     context_.note("scan " + std::to_string(unused->number) + " was not yet added: going on with it");

@@ -14,22 +14,22 @@ struct Text {
 
 AcquisitionForm AcquisitionForm::of(const AcquisitionSettings& settings) {
   AcquisitionForm form;
-  form.placement = settings.placement == Placement::Fit ? 1 : 0;
+  form.placement = settings.simulation.placement == Placement::Fit ? 1 : 0;
   form.maxViews = settings.maxViews;
-  form.tolerance = settings.tolerance;
+  form.tolerance = settings.planner.tolerance;
   form.firstView = settings.firstView;
-  form.seed = static_cast<int>(settings.seed);
-  form.ideal = settings.ideal;
+  form.seed = static_cast<int>(settings.simulation.seed);
+  form.ideal = settings.simulation.ideal;
   return form;
 }
 
 void AcquisitionForm::writeTo(AcquisitionSettings& settings) const {
-  settings.placement = placement == 1 ? Placement::Fit : Placement::AsIs;
+  settings.simulation.placement = placement == 1 ? Placement::Fit : Placement::AsIs;
   settings.maxViews = maxViews;
-  settings.tolerance = tolerance;
+  settings.planner.tolerance = tolerance;
   settings.firstView = firstView;
-  settings.seed = static_cast<std::uint64_t>(seed);
-  settings.ideal = ideal;
+  settings.simulation.seed = static_cast<std::uint64_t>(seed);
+  settings.simulation.ideal = ideal;
 }
 
 FieldTable<AcquisitionForm> acquisitionFields() {

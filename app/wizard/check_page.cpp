@@ -57,7 +57,7 @@ void CheckPage::entered() {
 
 void CheckPage::fit() {
   SetUpChoice choice = controller().choice();
-  choice.settings.placement = Placement::Fit;
+  choice.settings.simulation.placement = Placement::Fit;
   controller().setChoice(choice);
   controller().prepare();
 }

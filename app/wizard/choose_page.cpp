@@ -150,7 +150,7 @@ SetUpChoice ChoosePage::choice() const {
   SetUpChoice choice;
   choice.scanner = scanner_->currentData().toString().toStdString();
   choice.folder = folder_->text().toStdString();
-  choice.settings.object = object_->currentData().toString().toStdString();
+  choice.settings.simulation.object = object_->currentData().toString().toStdString();
   form_.writeTo(choice.settings);
   return choice;
 }
@@ -171,10 +171,10 @@ QString ChoosePage::whatNext() const {
 void ChoosePage::entered() {
   const bool open = controller().hasSession();
   const SetUpChoice& chosen = controller().choice();
-  if (open && chosen.settings.object.empty())
+  if (open && chosen.settings.simulation.object.empty())
     object_->setCurrentIndex(-1);
   else if (open)
-    select(*object_, QString::fromStdString(chosen.settings.object));
+    select(*object_, QString::fromStdString(chosen.settings.simulation.object));
   if (open) folder_->setText(QString::fromStdString(chosen.folder));
   for (QWidget* editor :
        {static_cast<QWidget*>(scanner_), static_cast<QWidget*>(object_), static_cast<QWidget*>(folder_), more_})

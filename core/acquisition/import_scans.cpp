@@ -40,17 +40,6 @@ void enter(KeptScan& scan, const Pose& T_object_scanner, const ViewAlignment& al
 
 }  // namespace
 
-ImportOptions importOptionsFor(const AcquisitionState& state) {
-  ImportOptions options;
-  if (!state.profile) return options;
-  const StepOptions step = stepOptionsFor(state);
-  options.triangulation = step.triangulation;
-  options.zipper = step.zipper;
-  options.consensus = step.consensus;
-  options.voidSpace.breakdownAngle = state.profile->breakdownAngle;
-  return options;
-}
-
 AcquisitionState importScans(const AcquisitionState& state, const std::vector<NumberedScan>& scans,
                              const ImportOptions& options, const Progress& progress) {
   if (scans.empty()) throw InvalidInput("nothing to import: expected at least one range image");

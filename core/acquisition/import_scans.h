@@ -3,26 +3,14 @@
 #include <string>
 #include <vector>
 
+#include "acquisition/step_options.h"
 #include "acquisition/steps.h"
 #include "base/progress.h"
-#include "integration/consensus.h"
 #include "integration/zipper.h"
 #include "registration/alignment.h"
 #include "void_space/void_patch_builder.h"
 
 namespace vantage {
-
-struct ImportOptions {
-  /// Recorded scans reach farther round than a breakdown angle of 60 degrees.
-  TriangulationOptions triangulation{.breakdownAngle = radians(75.0), .angleSlack = radians(5.0)};
-  AlignmentOptions alignment;
-  ZipperOptions zipper{.breakdownAngle = radians(75.0)};
-  ConsensusOptions consensus;
-  VoidOptions voidSpace{.breakdownAngle = radians(75.0)};
-};
-
-/// Options that fit a scanner, or recorded scans without one.
-[[nodiscard]] ImportOptions importOptionsFor(const AcquisitionState& state);
 
 /// The state with recorded scans in it: registered from the poses that they came with, the first of which stays, and
 /// zippered; those that did not find their place are rejected. It has ended, as nothing is planned from recorded scans.

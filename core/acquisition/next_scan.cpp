@@ -54,7 +54,7 @@ NextScan fromBaseline(const AcquisitionState& state) {
     return ScanFrom{static_cast<int>((static_cast<std::size_t>(settings.firstView) + offset) % positions)};
   }
   if (taken >= std::min(limit, positions)) return Ended{Termination::MaxViews};
-  return ScanFrom{randomOrder(positions, settings.firstView, settings.seed)[taken]};
+  return ScanFrom{randomOrder(positions, settings.firstView, settings.simulation.seed)[taken]};
 }
 
 // The scans of this stand that failed since the last one that found its place.

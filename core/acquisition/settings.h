@@ -4,7 +4,14 @@
 #include <string>
 #include <string_view>
 
+#include "integration/consensus.h"
+#include "integration/zipper_options.h"
 #include "io/placement.h"
+#include "planning/planner.h"
+#include "registration/alignment.h"
+#include "registration/icp.h"
+#include "registration/multi_view.h"
+#include "scanner/triangulation.h"
 
 namespace vantage {
 
@@ -19,16 +26,28 @@ struct Strategy {
 [[nodiscard]] Strategy parseStrategy(std::string_view text);
 [[nodiscard]] std::string name(const Strategy& strategy);
 
-/// What a session was asked to do.
-struct AcquisitionSettings {
-  std::string object;  ///< file that the simulated scanner looks at; empty for recorded scans
+/// What the simulated scanner looks at, and how.
+struct SimulationSettings {
+  std::string object;  ///< file that it looks at; empty for recorded scans
   Placement placement = Placement::AsIs;
-  std::uint64_t seed = 1;
-  bool ideal = false;
+  std::uint64_t seed = 1;  ///< of noise and mechanics, and of the random strategy
+  bool ideal = false;      ///< no noise, no dropout, no mechanical error
+};
+
+/// What a session was asked to do: the options of every operation that its steps run. What follows from the scanner's
+/// profile (breakdown angles, prior and ties of the mechanics) is no setting, see stepOptionsFor.
+struct AcquisitionSettings {
+  SimulationSettings simulation;
+  Strategy strategy;
   int firstView = 0;
   int maxViews = 40;
-  double tolerance = 0.0;  ///< u
-  Strategy strategy;
+  TriangulationOptions triangulation;
+  IcpOptions registration;
+  MultiViewOptions refinement;
+  AlignmentSampling alignment;  ///< of scans that are imported together
+  ZipperOptions zipper;
+  ConsensusOptions consensus;
+  PlannerOptions planner;
 };
 
 }  // namespace vantage

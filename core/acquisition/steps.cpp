@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "acquisition/import_scans.h"
 #include "base/errors.h"
 #include "geometry/measures.h"
+#include "integration/zipper.h"
 #include "registration/pose_prior.h"
 #include "registration/registration_target.h"
 
@@ -85,25 +85,6 @@ bool findPlace(AcquisitionState& state, KeptScan& scan, const StepOptions& optio
 }
 
 }  // namespace
-
-StepOptions stepOptionsFor(const ScannerProfile& profile, const AcquisitionSettings& settings) {
-  StepOptions options;
-  options.triangulation.breakdownAngle = profile.breakdownAngle;
-  options.zipper.breakdownAngle = profile.breakdownAngle;
-  options.planner.tolerance = settings.tolerance;
-  options.mechanics = profile.mechanics;
-  return options;
-}
-
-StepOptions stepOptionsFor(const AcquisitionState& state) {
-  if (state.profile) return stepOptionsFor(*state.profile, state.settings);
-  const ImportOptions recorded;
-  StepOptions options;
-  options.triangulation = recorded.triangulation;
-  options.zipper = recorded.zipper;
-  options.consensus = recorded.consensus;
-  return options;
-}
 
 Pose expectedPose(const AcquisitionState& state, const RangeImage& image) {
   const KeptScan* last = lastView(state, image.station.stand);

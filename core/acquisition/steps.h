@@ -6,31 +6,11 @@
 #include <vector>
 
 #include "acquisition/acquisition_state.h"
+#include "acquisition/step_options.h"
 #include "base/progress.h"
-#include "integration/consensus.h"
-#include "integration/zipper.h"
-#include "planning/planner.h"
 #include "positional_space/scanner_images.h"
-#include "registration/icp.h"
-#include "registration/multi_view.h"
 
 namespace vantage {
-
-/// Options of every operation that a step runs.
-struct StepOptions {
-  std::optional<Mechanics> mechanics;  ///< of the moves between scans; unset: nothing is known of them
-  TriangulationOptions triangulation;
-  IcpOptions registration;
-  MultiViewOptions refinement;
-  ZipperOptions zipper;
-  ConsensusOptions consensus;
-  PlannerOptions planner;
-};
-
-/// Options that fit a scanner: its breakdown angle, and the errors of its turntable as what is known of a pose. Of a
-/// state without a profile those of an import.
-[[nodiscard]] StepOptions stepOptionsFor(const ScannerProfile& profile, const AcquisitionSettings& settings);
-[[nodiscard]] StepOptions stepOptionsFor(const AcquisitionState& state);
 
 /// Adds one scan: triangulates it, registers it with the model, spreads the loop-closing error over all views and
 /// zippers it in. The first scan keeps its nominal pose for ever. When registration fails the scan is kept as rejected

@@ -5,6 +5,7 @@
 
 #include "planning/choice.h"
 #include "planning/patch_history.h"
+#include "void_space/void_patch_builder.h"
 
 namespace vantage {
 
@@ -54,6 +55,7 @@ struct PlannerOptions {
   std::size_t tracedTriangles = 300000;
   double planningError = 0.1;
 
+  VoidOptions voidSpace;  ///< but for the breakdown angle, which is the scanner's
   PatchHistoryOptions history;
   TerminationOptions termination;
 };

@@ -22,7 +22,7 @@ double meanSpacing(const std::vector<View>& views) {
 std::shared_ptr<const VoidSurface> findVoid(const PlanInput& input, const PlannerOptions& options,
                                             const Progress& progress) {
   const double spacing = meanSpacing(input.views);
-  VoidOptions voidOptions;
+  VoidOptions voidOptions = options.voidSpace;
   voidOptions.breakdownAngle = input.profile->breakdownAngle;
   VoidSurface surface = buildVoidPatches(*input.model, input.views, voidOptions, progress);
   if (options.lookAhead) {

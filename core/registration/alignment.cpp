@@ -46,7 +46,7 @@ class Placement {
     alignments[i] = std::move(alignment);
     order.push_back(i);
     OrientedPoints some;
-    for (const std::uint32_t k : thinned(allIndices(views_[i].points.size()), options_.pointsPerView)) {
+    for (const std::uint32_t k : thinned(allIndices(views_[i].points.size()), options_.sampling.pointsPerView)) {
       some.points.push_back(views_[i].points.points[k]);
       some.normals.push_back(views_[i].points.normals[k]);
       some.confidence.push_back(views_[i].points.confidence[k]);
@@ -56,7 +56,7 @@ class Placement {
 
   bool tryToPlace(std::size_t i, const Progress& progress) {
     IcpOptions icp = options_.icp;
-    icp.finePoints = options_.finePoints;
+    icp.finePoints = options_.sampling.finePoints;
     const RegistrationResult result =
         registerView(views_[i].surface, poses[i], RegistrationTarget(union_), icp, progress);
     ViewAlignment alignment{result.verdict, result.finding, result.rms, result.inlierShare};

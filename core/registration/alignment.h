@@ -10,11 +10,16 @@
 
 namespace vantage {
 
-struct AlignmentOptions {
-  IcpOptions icp;                    ///< of every single view; a prior in it counts for all of them
-  MultiViewOptions refinement;       ///< of the views that found their place
+/// How many points a registration against all placed views looks up.
+struct AlignmentSampling {
   std::size_t pointsPerView = 8000;  ///< of every placed view that the next one is registered against
-  std::size_t finePoints = 15000;    ///< in the place of icp.finePoints: the refinement follows
+  std::size_t finePoints = 15000;    ///< in the place of IcpOptions::finePoints: the refinement follows
+};
+
+struct AlignmentOptions {
+  IcpOptions icp;               ///< of every single view; a prior in it counts for all of them
+  MultiViewOptions refinement;  ///< of the views that found their place
+  AlignmentSampling sampling;
 };
 
 /// How one view found its place.

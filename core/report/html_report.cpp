@@ -80,7 +80,8 @@ std::string summaryHtml(const AcquisitionState& state) {
   const AcquisitionSettings& settings = state.settings;
   const auto model = modelJson(state.model ? state.model->mesh : Mesh{});
   std::string html = "<p>" + std::string(sentenceOf(state.termination)) + "</p>\n<table>";
-  html += row({"Object", escapedHtml(settings.object.empty() ? "recorded scans" : settings.object)});
+  html +=
+      row({"Object", escapedHtml(settings.simulation.object.empty() ? "recorded scans" : settings.simulation.object)});
   html += row({"Scanner", escapedHtml(state.profile ? state.profile->name : "none: recorded scans")});
   html += row({"Views", std::to_string(countScans(state, ScanStatus::In)) + " integrated, " +
                             std::to_string(countScans(state, ScanStatus::Rejected)) + " not registered, " +
@@ -198,7 +199,7 @@ std::string makeHtmlReport(const AcquisitionState& state, const HtmlReportOption
   html += summaryHtml(state) + picturesHtml(options.pictures) + coverageHtml(state) + viewsHtml(state);
   html += picturesHtml(options.viewPictures) + objectiveHtml(state) + timesHtml(state) + remainingHtml(state);
   return html + "<p class=\"faint\">Vantage " + escapedHtml(options.version) + ", seed " +
-         std::to_string(state.settings.seed) + "</p>\n</body></html>\n";
+         std::to_string(state.settings.simulation.seed) + "</p>\n</body></html>\n";
 }
 
 }  // namespace vantage

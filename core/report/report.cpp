@@ -143,10 +143,10 @@ double peakMemory() {
 nlohmann::ordered_json makeReport(const AcquisitionState& state, const std::string& version) {
   const AcquisitionSettings& settings = state.settings;
   Json report{{"version", version},
-              {"object", settings.object},
-              {"placement", name(settings.placement)},
+              {"object", settings.simulation.object},
+              {"placement", name(settings.simulation.placement)},
               {"profile", state.profile ? state.profile->name : ""},
-              {"seed", settings.seed},
+              {"seed", settings.simulation.seed},
               {"strategy", name(settings.strategy)},
               {"views", Json::array()}};
   for (const KeptScan* scan : scansOf(state, ScanStatus::In))

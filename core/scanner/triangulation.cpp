@@ -10,6 +10,7 @@ namespace vantage {
 namespace {
 
 // Confidence of vertices whose normal noise has tilted away from the scanner.
+constexpr double kAngleSlack = radians(8.0);
 constexpr double kMinConfidence = 1e-3;
 
 using GridTriangle = std::array<std::size_t, 3>;  // indices of samples
@@ -20,7 +21,8 @@ class SurfaceTest {
   SurfaceTest(const RangeImage& image, const TriangulationOptions& options)
       : image_(image),
         maxLengthRatio_(options.discontinuityFactor / std::cos(options.breakdownAngle)),
-        minCosine_(std::cos(std::min(options.breakdownAngle + options.angleSlack, radians(89.0)))) {}
+        minCosine_(
+            std::cos(std::min(options.breakdownAngle + options.angleSlack.value_or(kAngleSlack), radians(89.0)))) {}
 
   // Distance of two neighbouring rays where the nearer of their samples lies, across the first.
   [[nodiscard]] double raySpacing(std::size_t a, std::size_t b) const {

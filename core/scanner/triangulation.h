@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "geometry/mesh.h"
@@ -11,8 +12,8 @@ namespace vantage {
 struct TriangulationOptions {
   /// [rad] A triangle whose normal leans farther from its rays than this is no surface.
   double breakdownAngle = radians(60.0);
-  /// How much farther than the breakdown angle noise may tilt a single triangle [rad].
-  double angleSlack = radians(8.0);
+  /// How much farther than the breakdown angle noise may tilt a single triangle [rad]; unset: 8 degrees.
+  std::optional<double> angleSlack;
   /// An edge is a depth discontinuity when it is longer than this many times the spacing of its rays divided by the
   /// cosine of the breakdown angle: steep but continuous surface survives, a jump does not.
   double discontinuityFactor = 1.4;

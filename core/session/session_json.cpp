@@ -176,21 +176,22 @@ RegistrationResult registrationFrom(const JsonFields& fields) {
 }
 
 Json settingsJson(const AcquisitionSettings& s) {
-  return {{"object", s.object},       {"placement", name(s.placement)}, {"seed", s.seed},
-          {"ideal", s.ideal},         {"first_view", s.firstView},      {"max_views", s.maxViews},
-          {"tolerance", s.tolerance}, {"strategy", name(s.strategy)}};
+  return {{"object", s.simulation.object},    {"placement", name(s.simulation.placement)},
+          {"seed", s.simulation.seed},        {"ideal", s.simulation.ideal},
+          {"first_view", s.firstView},        {"max_views", s.maxViews},
+          {"tolerance", s.planner.tolerance}, {"strategy", name(s.strategy)}};
 }
 
 AcquisitionSettings settingsFrom(const JsonFields& fields, const Json& json) {
   AcquisitionSettings s;
-  s.object = fields.text("object");
-  s.placement = parsePlacement(fields.text("placement"));
+  s.simulation.object = fields.text("object");
+  s.simulation.placement = parsePlacement(fields.text("placement"));
   if (!fields.has("seed") || !json["seed"].is_number_unsigned()) fields.fail("seed");
-  s.seed = json["seed"].get<std::uint64_t>();
-  s.ideal = fields.flag("ideal");
+  s.simulation.seed = json["seed"].get<std::uint64_t>();
+  s.simulation.ideal = fields.flag("ideal");
   s.firstView = static_cast<int>(fields.integer("first_view", 0, 1'000'000));
   s.maxViews = static_cast<int>(fields.integer("max_views", 1, 1'000'000));
-  s.tolerance = fields.number("tolerance");
+  s.planner.tolerance = fields.number("tolerance");
   s.strategy = parseStrategy(fields.text("strategy"));
   return s;
 }

@@ -33,14 +33,14 @@ std::int64_t numberOf(Database& database, const char* key, std::int64_t low) {
 // Version 1 kept the settings in meta.
 std::string settings1(Database& database) {
   AcquisitionSettings settings;
-  settings.object = metaOf(database, "object");
-  settings.placement = parsePlacement(metaOf(database, "placement"));
-  settings.seed = static_cast<std::uint64_t>(numberOf(database, "seed", 0));
-  settings.ideal = metaOf(database, "ideal") == "1";
+  settings.simulation.object = metaOf(database, "object");
+  settings.simulation.placement = parsePlacement(metaOf(database, "placement"));
+  settings.simulation.seed = static_cast<std::uint64_t>(numberOf(database, "seed", 0));
+  settings.simulation.ideal = metaOf(database, "ideal") == "1";
   settings.firstView = static_cast<int>(numberOf(database, "first_view", 0));
   settings.maxViews = static_cast<int>(std::min<std::int64_t>(numberOf(database, "max_views", 1), 1'000'000));
   Statement tolerance = database.prepare("SELECT CAST(value AS REAL) FROM meta WHERE key = 'tolerance'");
-  if (tolerance.step()) settings.tolerance = tolerance.real(0);
+  if (tolerance.step()) settings.planner.tolerance = tolerance.real(0);
   settings.strategy = parseStrategy(metaOf(database, "strategy"));
   return settingsText(settings);
 }

@@ -6,13 +6,13 @@ namespace vantage {
 namespace {
 
 void addSettings(ContentHash& hash, const AcquisitionSettings& s) {
-  hash.add(s.object);
-  hash.add(name(s.placement));
-  hash.add(s.seed);
-  hash.add(s.ideal);
+  hash.add(s.simulation.object);
+  hash.add(name(s.simulation.placement));
+  hash.add(s.simulation.seed);
+  hash.add(s.simulation.ideal);
   hash.add(s.firstView);
   hash.add(s.maxViews);
-  hash.add(s.tolerance);
+  hash.add(s.planner.tolerance);
   hash.add(name(s.strategy));
 }
 

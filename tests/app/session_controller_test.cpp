@@ -31,7 +31,7 @@ class SessionControllerTest : public ::testing::Test {
     SetUpChoice choice;
     choice.scanner = path("scanner.json").toStdString();
     choice.folder = path("out").toStdString();
-    choice.settings.object = path("object.ply").toStdString();
+    choice.settings.simulation.object = path("object.ply").toStdString();
     choice.settings.maxViews = maxViews;
     return choice;
   }
@@ -71,7 +71,7 @@ TEST_F(SessionControllerTest, KeepsWhatIsPreparedWhenNothingWasChanged) {
 
 TEST_F(SessionControllerTest, SaysWhatIsWrongWithAFile) {
   SetUpChoice broken = choice();
-  broken.settings.object = path("nothing.ply").toStdString();
+  broken.settings.simulation.object = path("nothing.ply").toStdString();
   controller_->setChoice(broken);
   controller_->prepare();
   EXPECT_TRUE(failure_.contains("nothing.ply"));

@@ -14,7 +14,7 @@ namespace {
 // Scans of the small object from these positions, as their file says where they were taken.
 std::vector<NumberedScan> recordedScans(const std::vector<int>& positions) {
   AcquisitionSettings settings;
-  settings.ideal = true;
+  settings.simulation.ideal = true;
   MemoryJournal journal(testing::smallProfile(), settings);
   Acquisition acquisition(journal, testing::smallTools(testing::smallProfile(), settings));
   std::vector<NumberedScan> scans;

@@ -53,7 +53,7 @@ AcquisitionState twoViews() {
   }
   state.scans.back().record.planAfter = plan;
   state.plan = plan;
-  state.settings.object = "a<b>&.ply";
+  state.settings.simulation.object = "a<b>&.ply";
   state.termination = Termination::Finished;
   return state;
 }

@@ -27,7 +27,7 @@ AcquisitionTools earlierTools(const Session& session) {
   // Version 1 did not keep the object; all of these scanners look at the same one.
   const Mesh object = Session::open(earlierSession("schema_2_ended"), SessionAccess::Read).object();
   const AcquisitionSettings settings = session.state()->settings;
-  const SimulationOptions options{settings.seed, settings.ideal};
+  const SimulationOptions options{settings.simulation.seed, settings.simulation.ideal};
   return {simulation(object, session.profile(), options, static_cast<int>(session.scanCount())),
           std::make_shared<const ScannerImages>(computeScannerImages(*session.profile()))};
 }

@@ -35,8 +35,8 @@ std::vector<Command> someCommands() {
   Pose pose = Pose::Identity();
   pose.translate(Vec3(0.1, -2.0 / 3.0, 30.0));
   AcquisitionSettings settings;
-  settings.seed = std::numeric_limits<std::uint64_t>::max();
-  settings.tolerance = 0.1;
+  settings.simulation.seed = std::numeric_limits<std::uint64_t>::max();
+  settings.planner.tolerance = 0.1;
   settings.strategy = parseStrategy("uniform:7");
   PositionScore predicted;
   predicted.position = 4;

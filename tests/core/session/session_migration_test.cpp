@@ -151,7 +151,7 @@ TEST_F(EarlierVersions, ScansOfAllKindsAreOneListInTheirOrder) {
   EXPECT_EQ(state.chosenPosition, 5);
   EXPECT_EQ(nextPosition(state), 5);
   EXPECT_EQ(state.settings.maxViews, 8);
-  EXPECT_EQ(state.settings.object, "small.ply");
+  EXPECT_EQ(state.settings.simulation.object, "small.ply");
   EXPECT_EQ(state.stands.size(), 1U);
   EXPECT_FALSE(session.state(7)->chosenPosition);
   EXPECT_FALSE(std::get<ChoosePosition>(session.history().entry(7).command).position);

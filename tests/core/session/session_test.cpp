@@ -25,9 +25,9 @@ using testing::TemporaryFolder;
 
 AcquisitionSettings twoViews() {
   AcquisitionSettings settings;
-  settings.object = "small";
+  settings.simulation.object = "small";
   settings.maxViews = 2;
-  settings.tolerance = 0.3;
+  settings.planner.tolerance = 0.3;
   return settings;
 }
 
@@ -48,8 +48,8 @@ TEST_F(SessionTest, BringsBackWhatWasSavedBitByBit) {
   const AcquisitionState saved = saveTwoViews();
   const Session session = reopened();
   const auto loaded = session.state();
-  EXPECT_EQ(loaded->settings.object, "small");
-  EXPECT_EQ(loaded->settings.tolerance, 0.3);
+  EXPECT_EQ(loaded->settings.simulation.object, "small");
+  EXPECT_EQ(loaded->settings.planner.tolerance, 0.3);
   ASSERT_EQ(countScans(*loaded, ScanStatus::In), 2U);
   EXPECT_EQ(loaded->scans[1].view.T_object_scanner.matrix(), saved.scans[1].view.T_object_scanner.matrix());
   EXPECT_EQ(rangeBlob(loaded->scans[1].view.image->range), rangeBlob(saved.scans[1].view.image->range));

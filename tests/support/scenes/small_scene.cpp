@@ -31,7 +31,7 @@ Mesh smallObject() {
 
 AcquisitionTools smallTools(const std::shared_ptr<const ScannerProfile>& profile, const AcquisitionSettings& settings,
                             int scansBefore) {
-  const SimulationOptions options{settings.seed, settings.ideal};
+  const SimulationOptions options{settings.simulation.seed, settings.simulation.ideal};
   return {simulation(smallObject(), profile, options, scansBefore),
           std::make_shared<const ScannerImages>(computeScannerImages(*profile))};
 }

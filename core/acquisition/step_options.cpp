@@ -1,0 +1,47 @@
+#include "acquisition/step_options.h"
+
+namespace vantage {
+namespace {
+
+constexpr double kRecordedBreakdownAngle = radians(75.0);
+constexpr double kRecordedAngleSlack = radians(5.0);
+
+StepOptions withBreakdownAngle(const AcquisitionSettings& settings, double breakdownAngle) {
+  StepOptions options{{},
+                      settings.triangulation,
+                      settings.registration,
+                      settings.refinement,
+                      settings.zipper,
+                      settings.consensus,
+                      settings.planner};
+  options.triangulation.breakdownAngle = breakdownAngle;
+  options.zipper.breakdownAngle = breakdownAngle;
+  options.planner.voidSpace.breakdownAngle = breakdownAngle;
+  return options;
+}
+
+}  // namespace
+
+StepOptions stepOptionsFor(const ScannerProfile& profile, const AcquisitionSettings& settings) {
+  StepOptions options = withBreakdownAngle(settings, profile.breakdownAngle);
+  options.mechanics = profile.mechanics;
+  return options;
+}
+
+StepOptions stepOptionsFor(const AcquisitionState& state) {
+  if (state.profile) return stepOptionsFor(*state.profile, state.settings);
+  StepOptions options = withBreakdownAngle(state.settings, kRecordedBreakdownAngle);
+  if (!options.triangulation.angleSlack) options.triangulation.angleSlack = kRecordedAngleSlack;
+  return options;
+}
+
+ImportOptions importOptionsFor(const AcquisitionState& state) {
+  const StepOptions step = stepOptionsFor(state);
+  return {step.triangulation,
+          {step.registration, step.refinement, state.settings.alignment},
+          step.zipper,
+          step.consensus,
+          step.planner.voidSpace};
+}
+
+}  // namespace vantage
