@@ -45,7 +45,9 @@ QString refusalText(const Refusal& refusal) {
     case RefusalReason::NothingScanned:
       return Text::tr("Nothing has been scanned yet.");
     case RefusalReason::MeshesMade:
-      return Text::tr("How scans become surfaces can only be changed before the first scan.");
+      return Text::tr("The object and how scans become surfaces can only be changed before the first scan.");
+    case RefusalReason::Contradiction:
+      return Text::tr("The settings contradict each other.");
     case RefusalReason::NotReplayable:
       return Text::tr("What an earlier version did cannot be done again.");
     case RefusalReason::NothingToUndo:

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
 #include <utility>
 
 #include "io/placement.h"
@@ -30,12 +29,7 @@ void placeObject(SetUp& setUp, std::shared_ptr<const Mesh> mesh) {
 }
 
 bool operator==(const SetUpChoice& a, const SetUpChoice& b) {
-  const auto values = [](const SetUpChoice& c) {
-    const AcquisitionSettings& s = c.settings;
-    return std::make_tuple(c.scanner, c.folder, s.simulation.object, s.simulation.placement, s.simulation.seed,
-                           s.simulation.ideal, s.firstView, s.maxViews, s.planner.tolerance, name(s.strategy));
-  };
-  return values(a) == values(b);
+  return a.scanner == b.scanner && a.folder == b.folder && a.settings == b.settings;
 }
 
 SharedSetUp prepareSetUp(const SetUpChoice& choice, const std::string& cacheFolder, const Progress& progress) {
@@ -45,8 +39,8 @@ SharedSetUp prepareSetUp(const SetUpChoice& choice, const std::string& cacheFold
   setUp->source = readProfileSource(choice.scanner);
   setUp->profile = std::make_shared<const ScannerProfile>(parseProfile(setUp->source));
   if (!choice.settings.simulation.object.empty()) {
-    PlacedMesh loaded = loadPlacedMesh(choice.settings.simulation.object, choice.settings.simulation.placement, setUp->profile->viewingVolume,
-                                       progress.part(0.05, 0.4, "read object"));
+    PlacedMesh loaded = loadPlacedMesh(choice.settings.simulation.object, choice.settings.simulation.placement,
+                                       setUp->profile->viewingVolume, progress.part(0.05, 0.4, "read object"));
     setUp->notes = describe(loaded.repair);
     placeObject(*setUp, std::make_shared<const Mesh>(std::move(loaded.mesh)));
   }

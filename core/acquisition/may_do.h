@@ -26,7 +26,8 @@ enum class RefusalReason : std::uint8_t {
   NothingLeft,     ///< no position would show more than is worth a scan
   LimitReached,    ///< the greatest number of views was taken: raise it to go on
   NothingScanned,  ///< there is no scan yet
-  MeshesMade,      ///< how scans become meshes cannot be changed once there are scans
+  MeshesMade,      ///< the object and how scans become meshes cannot be changed once there are scans
+  Contradiction,   ///< settings contradict each other
   NotReplayable,   ///< what an earlier version did cannot be done again
   NothingToUndo,
   NothingToRedo,

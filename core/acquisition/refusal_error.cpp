@@ -40,7 +40,9 @@ void throwRefusal(const Refusal& refusal) {
     case RefusalReason::NothingScanned:
       throw InvalidInput("there is no view of the object yet");
     case RefusalReason::MeshesMade:
-      throw InvalidInput("how scans become meshes cannot be changed once there are scans");
+      throw InvalidInput("the object and how scans become meshes cannot be changed once there are scans");
+    case RefusalReason::Contradiction:
+      throw InvalidInput("the settings contradict each other");
     case RefusalReason::NotReplayable:
       throw InvalidInput("views that were taken over from an earlier version cannot be replayed");
     case RefusalReason::NothingToUndo:

@@ -1,10 +1,55 @@
 #include "acquisition/settings.h"
 
+#include <algorithm>
+#include <array>
 #include <charconv>
 
+#include "acquisition/setting_lookup.h"
+#include "acquisition/settings_table.h"
+#include "base/content_hash.h"
 #include "base/errors.h"
 
 namespace vantage {
+namespace {
+
+// Settings of which the first must not exceed the second.
+using Ascending = std::array<std::string_view, 2>;
+constexpr std::array<Ascending, 10> kAscending{{{"registration.final_gate", "registration.coarse_gate"},
+                                                {"registration.final_angle", "registration.coarse_angle"},
+                                                {"registration.coarse_points", "registration.fine_points"},
+                                                {"verdict.min_pairs", "verdict.few_pairs"},
+                                                {"verdict.min_inlier_share", "verdict.low_inlier_share"},
+                                                {"verdict.doubtful_conflicts", "verdict.max_conflicts"},
+                                                {"verdict.doubtful_residual", "verdict.max_residual"},
+                                                {"verdict.doubtful_motion", "verdict.max_motion"},
+                                                {"refinement.final_gate", "refinement.coarse_gate"},
+                                                {"refinement.coarse_points", "refinement.fine_points"}}};
+
+// Settings that an acquisition keeps once it has scans.
+constexpr std::array<std::string_view, 4> kLasting{"simulation.object", "simulation.placement",
+                                                   "triangulation.angle_slack", "triangulation.discontinuity_factor"};
+
+double magnitudeOf(const SettingValue& value) {
+  if (const auto* whole = std::get_if<std::uint64_t>(&value)) return static_cast<double>(*whole);
+  return std::get<double>(value);
+}
+
+const Ascending* contradictionIn(const AcquisitionSettings& settings) {
+  const auto magnitude = [&](std::string_view key) { return magnitudeOf(valueOf(settingField(key), settings)); };
+  for (const Ascending& pair : kAscending)
+    if (magnitude(pair[0]) > magnitude(pair[1])) return &pair;
+  return nullptr;
+}
+
+const SettingField* lastingChange(const AcquisitionSettings& before, const AcquisitionSettings& after) {
+  for (const std::string_view key : kLasting) {
+    const SettingField& field = settingField(key);
+    if (field.get(before) != field.get(after)) return &field;
+  }
+  return nullptr;
+}
+
+}  // namespace
 
 Strategy parseStrategy(std::string_view text) {
   if (text == "ps") return {};
@@ -29,6 +74,52 @@ std::string name(const Strategy& strategy) {
       return "random";
   }
   return "";
+}
+
+AcquisitionSettings settingsBefore() {
+  AcquisitionSettings settings;
+  for (const SettingField& field : settingFields()) setText(field, settings, field.before);
+  return settings;
+}
+
+bool agree(const AcquisitionSettings& settings) {
+  return contradictionIn(settings) == nullptr;
+}
+
+void checkSettings(const AcquisitionSettings& settings) {
+  const Ascending* contradiction = contradictionIn(settings);
+  if (contradiction == nullptr) return;
+  const auto& [smaller, larger] = *contradiction;
+  throw InvalidInput(std::string(smaller) + " is " + textOf(settingField(smaller), settings) +
+                     ", expected no more than " + std::string(larger) + ", which is " +
+                     textOf(settingField(larger), settings));
+}
+
+bool mayFollow(const AcquisitionSettings& before, const AcquisitionSettings& after) {
+  return lastingChange(before, after) == nullptr;
+}
+
+void checkChange(const AcquisitionSettings& before, const AcquisitionSettings& after) {
+  const SettingField* changed = lastingChange(before, after);
+  if (changed == nullptr) return;
+  throw InvalidInput(std::string(changed->key) + " is " + textOf(*changed, after) + ", expected " +
+                     textOf(*changed, before) + " as the session was begun");
+}
+
+bool operator==(const AcquisitionSettings& a, const AcquisitionSettings& b) {
+  const auto fields = settingFields();
+  return std::all_of(fields.begin(), fields.end(), [&](const SettingField& f) { return f.get(a) == f.get(b); });
+}
+
+std::uint64_t settingsHash(const AcquisitionSettings& settings) {
+  ContentHash hash;
+  for (const SettingField& field : settingFields()) {
+    const std::string text = textOf(field, settings);
+    if (text == field.before) continue;
+    hash.add(field.key);
+    hash.add(text);
+  }
+  return hash.value();
 }
 
 }  // namespace vantage

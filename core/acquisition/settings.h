@@ -50,4 +50,25 @@ struct AcquisitionSettings {
   PlannerOptions planner;
 };
 
+/// What a session file means by settings that it does not name (see SettingField::before).
+[[nodiscard]] AcquisitionSettings settingsBefore();
+
+/// Whether no setting contradicts another: no fine gate is larger than the coarse one.
+[[nodiscard]] bool agree(const AcquisitionSettings& settings);
+/// @throws InvalidInput that names the settings that contradict each other
+void checkSettings(const AcquisitionSettings& settings);
+
+/// Whether an acquisition that has scans can go on with other settings: its object stays, and so does how scans are
+/// triangulated, which is done anew whenever a session is opened.
+[[nodiscard]] bool mayFollow(const AcquisitionSettings& before, const AcquisitionSettings& after);
+/// @throws InvalidInput that names the setting that cannot change
+void checkChange(const AcquisitionSettings& before, const AcquisitionSettings& after);
+
+/// Whether the settings are equal in every field of the table.
+[[nodiscard]] bool operator==(const AcquisitionSettings& a, const AcquisitionSettings& b);
+
+/// Equal for settings that are equal. Settings as they were before they were introduced count for nothing, so that a
+/// new one leaves the hashes of old sessions as they are.
+[[nodiscard]] std::uint64_t settingsHash(const AcquisitionSettings& settings);
+
 }  // namespace vantage

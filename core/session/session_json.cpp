@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "acquisition/settings_json.h"
 #include "session/earlier_wording.h"
 #include "session/json_fields.h"
 
@@ -175,27 +176,6 @@ RegistrationResult registrationFrom(const JsonFields& fields) {
   return r;
 }
 
-Json settingsJson(const AcquisitionSettings& s) {
-  return {{"object", s.simulation.object},    {"placement", name(s.simulation.placement)},
-          {"seed", s.simulation.seed},        {"ideal", s.simulation.ideal},
-          {"first_view", s.firstView},        {"max_views", s.maxViews},
-          {"tolerance", s.planner.tolerance}, {"strategy", name(s.strategy)}};
-}
-
-AcquisitionSettings settingsFrom(const JsonFields& fields, const Json& json) {
-  AcquisitionSettings s;
-  s.simulation.object = fields.text("object");
-  s.simulation.placement = parsePlacement(fields.text("placement"));
-  if (!fields.has("seed") || !json["seed"].is_number_unsigned()) fields.fail("seed");
-  s.simulation.seed = json["seed"].get<std::uint64_t>();
-  s.simulation.ideal = fields.flag("ideal");
-  s.firstView = static_cast<int>(fields.integer("first_view", 0, 1'000'000));
-  s.maxViews = static_cast<int>(fields.integer("max_views", 1, 1'000'000));
-  s.planner.tolerance = fields.number("tolerance");
-  s.strategy = parseStrategy(fields.text("strategy"));
-  return s;
-}
-
 Json json(const ChangeSettings& c) {
   return settingsJson(c.settings);
 }
@@ -266,12 +246,11 @@ ImportScans importScansFrom(const JsonFields& fields) {
 }  // namespace
 
 std::string settingsText(const AcquisitionSettings& settings) {
-  return settingsJson(settings).dump();
+  return settingsJson(settings).dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 AcquisitionSettings settingsFromText(const std::string& text, const std::string& what) {
-  const Json json = jsonObject(text, what);
-  return settingsFrom({json, what}, json);
+  return settingsFromJson(jsonObject(text, what), what);
 }
 
 std::string commandText(const Command& command) {
@@ -282,7 +261,7 @@ std::string commandText(const Command& command) {
 Command commandFromText(std::string_view kind, const std::string& text, const std::string& what) {
   const Json json = jsonObject(text, what);
   const JsonFields fields(json, what);
-  if (kind == "change_settings") return ChangeSettings{settingsFrom(fields, json)};
+  if (kind == "change_settings") return ChangeSettings{settingsFromJson(json, what)};
   if (kind == "add_scan") return addScanFrom(fields);
   if (kind == "import_scans") return importScansFrom(fields);
   if (kind == "choose_position") return choosePositionFrom(fields);

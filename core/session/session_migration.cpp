@@ -32,7 +32,7 @@ std::int64_t numberOf(Database& database, const char* key, std::int64_t low) {
 
 // Version 1 kept the settings in meta.
 std::string settings1(Database& database) {
-  AcquisitionSettings settings;
+  AcquisitionSettings settings = settingsBefore();
   settings.simulation.object = metaOf(database, "object");
   settings.simulation.placement = parsePlacement(metaOf(database, "placement"));
   settings.simulation.seed = static_cast<std::uint64_t>(numberOf(database, "seed", 0));

@@ -5,17 +5,6 @@
 namespace vantage {
 namespace {
 
-void addSettings(ContentHash& hash, const AcquisitionSettings& s) {
-  hash.add(s.simulation.object);
-  hash.add(name(s.simulation.placement));
-  hash.add(s.simulation.seed);
-  hash.add(s.simulation.ideal);
-  hash.add(s.firstView);
-  hash.add(s.maxViews);
-  hash.add(s.planner.tolerance);
-  hash.add(name(s.strategy));
-}
-
 void addMotions(ContentHash& hash, const WeakMotions& motions) {
   for (const WeakMotion& motion : motions) {
     hash.add(motion.kind);
@@ -126,7 +115,7 @@ void addModel(ContentHash& hash, const Model& model) {
 
 std::uint64_t stateHash(const AcquisitionState& state) {
   ContentHash hash;
-  addSettings(hash, state.settings);
+  hash.add(settingsHash(state.settings));
   hash.add(state.mode);
   hash.add(static_cast<std::uint64_t>(state.stands.size()));
   for (const Stand& stand : state.stands) addStand(hash, stand);

@@ -163,6 +163,10 @@ class PatchBuilder {
 
 }  // namespace
 
+std::string_view name(PatchWeight weight) {
+  return weight == PatchWeight::TriangleArea ? "triangle" : "spacing";
+}
+
 VoidSurface buildVoidPatches(const Model& model, std::span<const View> views, const VoidOptions& options,
                              const Progress& progress) {
   progress.checkpoint(0.0);

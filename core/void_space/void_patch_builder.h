@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstdint>
 #include <span>
+#include <string_view>
 
 #include "base/progress.h"
 #include "integration/model.h"
@@ -10,10 +12,12 @@
 namespace vantage {
 
 /// What a void patch counts for.
-enum class PatchWeight {
+enum class PatchWeight : std::uint8_t {
   SpacingTimesLength,  ///< edge length x local sample spacing: does not depend on how the model is cut into triangles
   TriangleArea,        ///< area of the edge's triangle, as in the paper (5.2)
 };
+/// "spacing", "triangle".
+[[nodiscard]] std::string_view name(PatchWeight weight);
 
 struct VoidOptions {
   double breakdownAngle = radians(60.0);  ///< theta_b of the scanner [rad]

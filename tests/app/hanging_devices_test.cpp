@@ -54,7 +54,7 @@ class HangingDevices : public ::testing::TestWithParam<bool> {
     SetUpChoice choice;
     choice.scanner = path("scanner.json");
     choice.folder = path("out");
-    choice.settings.object = path("object.ply");
+    choice.settings.simulation.object = path("object.ply");
     controller_->setChoice(choice);
     controller_->prepare();
     ASSERT_TRUE(waitFor([&] { return controller_->setUp() && controller_->idle(); }));

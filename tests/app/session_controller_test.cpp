@@ -218,7 +218,7 @@ TEST_F(SessionControllerTest, ASessionOfRecordedScansHasNothingToScanWithAndSays
 
 TEST_F(SessionControllerTest, TheSimulatedScannerAsksForAnObject) {
   SetUpChoice bare = choice();
-  bare.settings.object.clear();
+  bare.settings.simulation.object.clear();
   controller_->setChoice(bare);
   controller_->prepare();
   ASSERT_TRUE(controller_->setUp());

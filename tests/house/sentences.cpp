@@ -14,8 +14,10 @@ namespace fs = std::filesystem;
 
 constexpr std::array<const char*, 5> kResultRooms{"registration", "integration", "void_space", "planning",
                                                   "acquisition"};
-// Files of these rooms that hold no result: the help of the settings, and what a device that hangs is said to do.
-constexpr std::array<std::string_view, 2> kNoResults{"settings_table.cpp", "patient_scanner.h"};
+// Files of these rooms that hold no result: help, groups and bounds of the settings, and what a device that hangs is
+// said to do.
+constexpr std::array<std::string_view, 4> kNoResults{"setting_field.cpp", "setting_lookup.cpp", "settings_table.cpp",
+                                                     "patient_scanner.h"};
 
 bool isWord(char c) {
   return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';

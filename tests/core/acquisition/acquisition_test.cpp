@@ -92,6 +92,36 @@ TEST_F(AcquisitionTest, RefusesWhatCannotBeDoneAndLeavesEverythingAsItWas) {
   EXPECT_EQ(journal_.history().size(), 2U);
 }
 
+TEST_F(AcquisitionTest, TheObjectAndHowScansBecomeMeshesStayOnceThereAreScans) {
+  AcquisitionSettings slack = settings(8);
+  slack.triangulation.angleSlack = radians(2.0);
+  AcquisitionSettings object = settings(8);
+  object.simulation.object = "other.ply";
+  AcquisitionSettings placement = settings(8);
+  placement.simulation.placement = Placement::Fit;
+  Acquisition acquisition = this->acquisition();
+  EXPECT_FALSE(acquisition.mayDo(ChangeSettings{slack}));
+  EXPECT_FALSE(acquisition.mayDo(ChangeSettings{object}));
+  acquisition.scanNext();
+  for (const AcquisitionSettings& changed : {slack, object, placement}) {
+    EXPECT_EQ(acquisition.mayDo(ChangeSettings{changed})->reason, RefusalReason::MeshesMade);
+    EXPECT_THROW(acquisition.carryOut(ChangeSettings{changed}), InvalidInput);
+  }
+  AcquisitionSettings tolerance = settings(8);
+  tolerance.planner.tolerance = 0.3;
+  acquisition.carryOut(ChangeSettings{tolerance});
+  EXPECT_EQ(journal_.state()->settings.planner.tolerance, 0.3);
+}
+
+TEST_F(AcquisitionTest, SettingsThatContradictEachOtherAreRefused) {
+  AcquisitionSettings contradicting = settings(8);
+  contradicting.registration.finalGate = 2.0 * contradicting.registration.coarseGate;
+  Acquisition acquisition = this->acquisition();
+  EXPECT_EQ(acquisition.mayDo(ChangeSettings{contradicting})->reason, RefusalReason::Contradiction);
+  EXPECT_THROW(acquisition.carryOut(ChangeSettings{contradicting}), InvalidInput);
+  EXPECT_EQ(journal_.history().size(), 1);
+}
+
 TEST_F(AcquisitionTest, WithoutAScannerEverythingButScansCanBeDone) {
   this->acquisition().scanNext();
   Acquisition acquisition(journal_);
