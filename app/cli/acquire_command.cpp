@@ -4,6 +4,7 @@
 #include "base/errors.h"
 #include "cli/command.h"
 #include "cli/session_run.h"
+#include "cli/settings_arguments.h"
 #include "cli/text.h"
 #include "io/placement.h"
 #include "session/session.h"
@@ -14,9 +15,9 @@ namespace {
 struct AcquireArguments {
   std::string scanner;
   std::string out;
-  std::string strategy = "ps";
-  std::string placement = "as-is";
-  AcquisitionSettings settings;
+  std::string object;
+  SettingsArguments given;
+  AcquisitionSettings settings;  ///< as given
 };
 
 // The object as the scanner will see it.
@@ -55,36 +56,21 @@ void addAcquireCommand(CLI::App& app, CommandContext& context) {
   auto args = std::make_shared<AcquireArguments>();
   CLI::App* command =
       app.add_subcommand("acquire", "Acquire a mesh with the simulated scanner until nothing scannable is left");
-  command->add_option("--object", args->settings.simulation.object, "Mesh to put in front of the scanner")->required();
+  command->add_option("--object", args->object, "Mesh to put in front of the scanner")->required();
   command->add_option("--scanner", args->scanner, "Scanner profile (JSON)")->required();
   command->add_option("--out", args->out, "Folder for session, model and report")->required();
-  command->add_option("--seed", args->settings.simulation.seed, "Seed of noise and mechanics")->capture_default_str();
-  command->add_flag("--ideal", args->settings.simulation.ideal, "Switch noise and mechanical errors off");
-  command->add_option("--max-views", args->settings.maxViews, "Stop after so many views")
-      ->check(CLI::Range(1, 10000))
-      ->capture_default_str();
-  command->add_option("--tolerance", args->settings.planner.tolerance, "Least confidence wanted everywhere (cosine)")
-      ->check(CLI::Range(0.0, 1.0));
-  command->add_option("--place", args->placement, "How the mesh gets into the viewing volume")
-      ->check(CLI::IsMember({"as-is", "fit"}))
-      ->capture_default_str();
-  command->add_option("--first-view", args->settings.firstView, "Position of the first view")
-      ->check(CLI::NonNegativeNumber)
-      ->capture_default_str();
-  command->add_option("--strategy", args->strategy, "ps, uniform:N or random")
-      ->capture_default_str()
-      ->check([](const std::string& text) {
-        try {
-          static_cast<void>(parseStrategy(text));
-          return std::string();
-        } catch (const InvalidInput& e) {
-          return std::string(e.what());
-        }
-      });
+  args->given.addTo(*command);
+  args->given.addShorthand(*command, "--seed", "simulation.seed");
+  args->given.addShorthand(*command, "--ideal", "simulation.ideal");
+  args->given.addShorthand(*command, "--max-views", "max_views");
+  args->given.addShorthand(*command, "--tolerance", "planner.tolerance");
+  args->given.addShorthand(*command, "--place", "simulation.placement");
+  args->given.addShorthand(*command, "--first-view", "first_view");
+  args->given.addShorthand(*command, "--strategy", "strategy");
   context.addCommonOptions(*command);
   command->callback([args, &context] {
-    args->settings.strategy = parseStrategy(args->strategy);
-    args->settings.simulation.placement = parsePlacement(args->placement);
+    args->settings = args->given.applied({});
+    args->settings.simulation.object = args->object;
     run(*args, context);
   });
 }

@@ -40,6 +40,7 @@ void addAcquireCommand(CLI::App& app, CommandContext& context);
 void addResumeCommand(CLI::App& app, CommandContext& context);
 void addStepCommand(CLI::App& app, CommandContext& context);
 void addImportCommand(CLI::App& app, CommandContext& context);
+void addOptionsCommand(CLI::App& app, CommandContext& context);
 void addPlanCommand(CLI::App& app, CommandContext& context);
 void addExportCommand(CLI::App& app, CommandContext& context);
 void addInfoCommand(CLI::App& app, CommandContext& context);

@@ -5,6 +5,7 @@
 #include "acquisition/import_scans.h"
 #include "base/errors.h"
 #include "cli/command.h"
+#include "cli/settings_arguments.h"
 #include "cli/text.h"
 #include "io/range_files.h"
 #include "io/scan_poses.h"
@@ -20,6 +21,7 @@ struct ImportArguments {
   std::string poses;
   std::string scanner = "generic";
   std::string session;
+  SettingsArguments given;
 };
 
 // The scans with the poses that the list gives them.
@@ -71,7 +73,7 @@ void run(const ImportArguments& args, CommandContext& context) {
   }
   const Progress progress = context.progress();
   std::vector<RangeImage> images = readScans(args, profile.get(), progress.part(0.0, 0.1, "read scans"));
-  Session session = Session::create(args.session, {source, {}, nullptr, profile});
+  Session session = Session::create(args.session, {source, args.given.applied({}), nullptr, profile});
   Acquisition(session).importScans(std::move(images), progress.part(0.1, 0.9));
   const auto state = session.state();
   const VoidSurface voids = buildVoidPatches(*state->model, viewsOf(*state), importOptionsFor(*state).voidSpace,
@@ -99,6 +101,7 @@ void addImportCommand(CLI::App& app, CommandContext& context) {
   command->add_option("--scanner", args->scanner, "Scanner profile (JSON), or generic for parallel rays along -z")
       ->capture_default_str();
   command->add_option("--session", args->session, "Session file to write")->required();
+  args->given.addTo(*command);
   context.addCommonOptions(*command);
   command->callback([args, &context] { run(*args, context); });
 }

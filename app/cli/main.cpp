@@ -30,6 +30,7 @@ int run(int argc, char** argv) {
   vantage::addEvaluateCommand(app, context);
   vantage::addRenderCommand(app, context);
   vantage::addReportCommand(app, context);
+  vantage::addOptionsCommand(app, context);
   try {
     app.parse(argc, argv);
     return kDone;

@@ -55,6 +55,15 @@ std::string lastScanLine(const AcquisitionState& state) {
   }
 }
 
+void changeSettings(Session& session, const AcquisitionSettings& settings, CommandContext& context) {
+  if (settings == session.state()->settings) return;
+  AcquisitionTools tools;
+  if (const auto profile = session.profile())
+    tools.images = std::make_shared<const ScannerImages>(loadScannerImages(
+        *profile, cacheDirectory(), context.progress().part(0.0, 0.5, "positional space of the scanner")));
+  Acquisition(session, tools).carryOut(ChangeSettings{settings}, context.progress().part(0.5, 1.0));
+}
+
 SessionRun::SessionRun(Session& session, std::string out, CommandContext& context)
     : session_(session), out_(std::move(out)), context_(context), last_(session.state()) {}
 

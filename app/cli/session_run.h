@@ -34,6 +34,10 @@ class SessionRun {
 /// What became of the scan that was added last, in a line: what it brought, or why it was not integrated.
 [[nodiscard]] std::string lastScanLine(const AcquisitionState& state);
 
+/// Lets a session go on with other settings, which is recorded like every command; nothing happens when they are equal.
+/// @throws InvalidInput, IoError, Cancelled
+void changeSettings(Session& session, const AcquisitionSettings& settings, CommandContext& context);
+
 /// Makes a folder and those above it. @throws IoError
 void makeFolder(const std::string& path);
 

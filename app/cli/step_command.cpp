@@ -6,6 +6,7 @@
 #include "cli/command.h"
 #include "cli/open_session.h"
 #include "cli/session_run.h"
+#include "cli/settings_arguments.h"
 #include "io/range_files.h"
 #include "positional_space/scanner_images_cache.h"
 #include "report/report.h"
@@ -17,6 +18,7 @@ struct StepArguments {
   std::string session;
   std::string range;
   int position = 0;
+  SettingsArguments given;
 };
 
 // The scan as the session's scanner takes it at that position.
@@ -46,6 +48,7 @@ nlohmann::ordered_json stepJson(const AcquisitionState& state) {
 
 void run(const StepArguments& args, CommandContext& context) {
   Session session = openSession(args.session, SessionAccess::Write, context);
+  if (!args.given.empty()) changeSettings(session, args.given.appliedToSession(session.state()->settings), context);
   const Progress progress = context.progress();
   RangeImage image = readScan(args, session, progress.part(0.0, 0.1, "read scan"));
   const auto images = std::make_shared<const ScannerImages>(loadScannerImages(
@@ -70,6 +73,7 @@ void addStepCommand(CLI::App& app, CommandContext& context) {
   command->add_option("--position", args->position, "Position of the workspace that it was taken from")
       ->required()
       ->check(CLI::NonNegativeNumber);
+  args->given.addTo(*command);
   context.addCommonOptions(*command);
   command->callback([args, &context] { run(*args, context); });
 }

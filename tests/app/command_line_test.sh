@@ -95,6 +95,30 @@ expect 0 "5 views" "$cli" resume "$work/killed/session.vantage" --out "$work/aga
 cmp "$work/whole/model.ply" "$work/again/model.ply" || failures=$((failures + 1))
 expect 1 "no such file" "$cli" resume "$work/nothing.vantage"
 
+# Options: what is listed can be set, what cannot be is refused with key, value and expectation.
+expect 0 "planner.overlap_share=0.1" "$cli" options
+expect 0 '"key": "planner.overlap_share"' "$cli" options --json
+expect 0 "planner.overlap_share=0.25" "$cli" options --set planner.overlap_share=0.25
+expect 2 "planner.overlap_share is 7, expected a number from 0 to 1" "$cli" options --set planner.overlap_share=7
+expect 2 "the nearest is planner.overlap_share" "$cli" options --set planner.overlapshare=0.2
+expect 2 "expected key=value" "$cli" options --set planner.overlap_share
+expect 2 "expected no more than registration.coarse_gate" "$cli" options --set registration.final_gate=12
+expect 2 "max_views is 0" "$cli" acquire --object "$mug" --scanner "$scanner" --out "$work/a" --max-views 0
+expect 2 "max_views is 0" "$cli" acquire --object "$mug" --scanner "$scanner" --out "$work/a" --set max_views=0
+settings=()
+while read -r line; do [[ $line == *=* && $line != simulation.object=* ]] && settings+=(--set "$line"); done < <("$cli" options | grep -v "^[ #]")
+expect 0 "planner.overlap_share=0.1" "$cli" options "${settings[@]}"
+expect 0 "written" "$cli" options --set max_views=2 --set planner.tolerance=0.3 --write "$work/options.json"
+expect 0 "planner.tolerance=0.3" "$cli" options --options "$work/options.json"
+echo '{ "max_views": "many" }' >"$work/wrong.json"
+expect 2 "wrong.json: max_views is many" "$cli" options --options "$work/wrong.json"
+expect 1 "nothing.json" "$cli" options --options "$work/nothing.json"
+expect 0 "1 views" "$cli" acquire --object "$mug" --scanner "$scanner" --out "$work/set" --options "$work/options.json" --set max_views=1
+expect 0 "planner.tolerance=0.3" "$cli" options "$work/set/session.vantage"
+expect 2 "as the session was begun" "$cli" resume "$work/set/session.vantage" --set triangulation.angle_slack=3
+expect 0 "2 views" "$cli" resume "$work/set/session.vantage" --set max_views=2
+expect 0 "max_views=2" "$cli" options "$work/set/session.vantage"
+
 # Assisted steps: range files that the operator brings.
 expect 2 "--position" "$cli" step "$work/whole/session.vantage" --range "$work/nothing.ply"
 expect 1 "nothing.ply" "$cli" step "$work/whole/session.vantage" --range "$work/nothing.ply" --position 3
