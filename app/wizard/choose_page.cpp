@@ -12,7 +12,7 @@
 
 #include "form_parts.h"
 #include "io/mesh_reader.h"
-#include "settings/field_form.h"
+#include "settings/settings_form.h"
 
 namespace vantage {
 namespace {
@@ -120,11 +120,9 @@ void ChoosePage::build() {
   column().addLayout(row);
 
   addSection(tr("Options"));
-  more_ = new QWidget;
-  auto* form = new QFormLayout(more_);
-  form->setContentsMargins(0, 0, 0, 0);
-  fillForm(*form, acquisitionFields(), form_, [this] { emit changed(); });
-  column().addWidget(more_);
+  form_ = new SettingsForm;
+  connect(form_, &SettingsForm::edited, this, [this] { emit changed(); });
+  column().addWidget(form_);
   column().addStretch();
   auto* open = makeButton(tr("&Open a session…"), QStringLiteral("open"), tr("Go on with a session from a file."));
   connect(open, &QPushButton::clicked, this, &ChoosePage::openRequested);
@@ -150,8 +148,8 @@ SetUpChoice ChoosePage::choice() const {
   SetUpChoice choice;
   choice.scanner = scanner_->currentData().toString().toStdString();
   choice.folder = folder_->text().toStdString();
+  choice.settings = form_->settings();
   choice.settings.simulation.object = object_->currentData().toString().toStdString();
-  form_.writeTo(choice.settings);
   return choice;
 }
 
@@ -159,7 +157,7 @@ bool ChoosePage::complete() const {
   // The scanner that can be chosen here is the simulated one, which needs an object.
   return controller().hasSession() ||
          (!scanner_->currentData().toString().isEmpty() && !object_->currentData().toString().isEmpty() &&
-          !folder_->text().trimmed().isEmpty());
+          !folder_->text().trimmed().isEmpty() && form_->consistent());
 }
 
 QString ChoosePage::whatNext() const {
@@ -176,8 +174,9 @@ void ChoosePage::entered() {
   else if (open)
     select(*object_, QString::fromStdString(chosen.settings.simulation.object));
   if (open) folder_->setText(QString::fromStdString(chosen.folder));
-  for (QWidget* editor :
-       {static_cast<QWidget*>(scanner_), static_cast<QWidget*>(object_), static_cast<QWidget*>(folder_), more_})
+  if (open) form_->setSettings(chosen.settings);
+  for (QWidget* editor : {static_cast<QWidget*>(scanner_), static_cast<QWidget*>(object_),
+                          static_cast<QWidget*>(folder_), static_cast<QWidget*>(form_)})
     editor->setEnabled(!open);
   emit changed();
 }

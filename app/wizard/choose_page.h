@@ -1,6 +1,5 @@
 #pragma once
 
-#include "settings/acquisition_fields.h"
 #include "wizard/wizard_page.h"
 
 class QComboBox;
@@ -8,6 +7,8 @@ class QLineEdit;
 class QToolButton;
 
 namespace vantage {
+
+class SettingsForm;
 
 /// Which scanner, which object, where to.
 class ChoosePage final : public WizardPage {
@@ -39,8 +40,7 @@ class ChoosePage final : public WizardPage {
   QComboBox* scanner_ = nullptr;
   QComboBox* object_ = nullptr;
   QLineEdit* folder_ = nullptr;
-  QWidget* more_ = nullptr;
-  AcquisitionForm form_;
+  SettingsForm* form_ = nullptr;
 };
 
 }  // namespace vantage

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <QWidget>
+#include <functional>
+#include <vector>
+
+#include "acquisition/setting_field.h"
+
+class QFormLayout;
+class QLabel;
+class QVBoxLayout;
+
+namespace vantage {
+
+/// Edits the settings of an acquisition, group by group; those for experts are folded away. Says what is wrong with a
+/// value, or with two that contradict each other.
+class SettingsForm final : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit SettingsForm(QWidget* parent = nullptr);
+
+  [[nodiscard]] const AcquisitionSettings& settings() const { return settings_; }
+  void setSettings(const AcquisitionSettings& settings);
+
+  /// Whether no settings contradict each other.
+  [[nodiscard]] bool consistent() const { return consistent_; }
+
+  /// A profile of options, to and from a file. What is wrong is said in the form; the settings then stay as they are.
+  void save(const QString& path);
+  void load(const QString& path);
+
+ signals:
+  void edited();
+
+ private:
+  void build();
+  QWidget* buildExpertPart();
+  QWidget* buildFileButtons();
+  void add(const SettingField& field, QFormLayout& form);
+  void refresh();
+  void judge(const QString& refusal);
+
+  AcquisitionSettings settings_;
+  bool consistent_ = true;
+  std::vector<std::function<void()>> refreshers_;
+  QLabel* complaint_ = nullptr;
+};
+
+}  // namespace vantage
