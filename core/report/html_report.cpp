@@ -6,8 +6,10 @@
 #include <cstdio>
 #include <string_view>
 
+#include "acquisition/further_scan.h"
 #include "base/errors.h"
 #include "planning/choice.h"
+#include "report/areas_known.h"
 #include "report/edges_left.h"
 #include "report/report.h"
 #include "report/svg_chart.h"
@@ -76,10 +78,22 @@ std::string picturesHtml(const std::vector<ReportPicture>& pictures) {
   return html + "</div>\n";
 }
 
+// How it ended, and what that leaves.
+std::string endingText(const AcquisitionState& state) {
+  const bool asAsked = state.termination == Termination::Finished && !state.plan;
+  std::string text(asAsked ? "Finished: the views that were asked for were taken." : sentenceOf(state.termination));
+  const auto further = furtherScan(state);
+  if (further && further->predicted)
+    text += " A view from position " + std::to_string(further->position) + " would still show " +
+            figure(promise(*further->predicted), 0) + " mm².";
+  return text;
+}
+
 std::string summaryHtml(const AcquisitionState& state) {
   const AcquisitionSettings& settings = state.settings;
   const auto model = modelJson(state.model ? state.model->mesh : Mesh{});
-  std::string html = "<p>" + std::string(sentenceOf(state.termination)) + "</p>\n<table>";
+  std::string html = "<p>" + endingText(state) + "</p>
+<table>";
   html +=
       row({"Object", escapedHtml(settings.simulation.object.empty() ? "recorded scans" : settings.simulation.object)});
   html += row({"Scanner", escapedHtml(state.profile ? state.profile->name : "none: recorded scans")});
@@ -93,9 +107,12 @@ std::string summaryHtml(const AcquisitionState& state) {
 }
 
 std::string coverageHtml(const AcquisitionState& state) {
-  LineChart chart{"Area of the model after each view [mm²]", {}};
+  LineChart chart{"What the views of the model added when they were taken, summed [mm²]", {}};
   double area = 0.0;
-  for (const KeptScan* scan : scansOf(state, ScanStatus::In)) chart.values.push_back(area += scan->record.newArea);
+  for (const KeptScan* scan : scansOf(state, ScanStatus::In)) {
+    if (!areasKnown(scan->record)) return {};
+    chart.values.push_back(area += scan->record.newArea);
+  }
   return "<h2>Coverage</h2>\n<p class=\"faint\">" + escapedHtml(chart.title) + "</p>\n" + drawChart(chart);
 }
 
@@ -119,8 +136,9 @@ std::string viewsHtml(const AcquisitionState& state) {
   for (const KeptScan* scan : scansOf(state, ScanStatus::In)) {
     const ScanRecord& r = scan->record;
     html += "<tr>" + cell(std::to_string(++index)) + cell(positionText(*scan)) + cell(std::to_string(r.samples)) +
-            promisedCells(r) + cell(figure(r.newArea, 0)) + cell(figure(r.overlapArea, 0)) +
-            cell(figure(r.registration.rms, 3)) + cell(std::string(name(r.registration.verdict))) + "</tr>\n";
+            promisedCells(r) + cell(areasKnown(r) ? figure(r.newArea, 0) : "–") +
+            cell(areasKnown(r) ? figure(r.overlapArea, 0) : "–") + cell(figure(r.registration.rms, 3)) +
+            cell(std::string(name(r.registration.verdict))) + "</tr>\n";
   }
   for (const KeptScan* scan : scansOf(state, ScanStatus::Rejected))
     html += row({"not integrated", positionText(*scan), std::to_string(scan->record.samples), "", "", "", "",
@@ -136,7 +154,7 @@ std::string objectiveFigure(const Plan& plan, const std::string& when) {
       when + ": void that each position would show [mm²]", {}, plan.terminationThreshold, "F", plan.position};
   for (const PositionScore& score : plan.scores) chart.values.push_back(promise(score));
   return "<figure>" + drawChart(chart) + "<figcaption>" + escapedHtml(chart.title) +
-         (plan.position ? "; chosen: position " + std::to_string(*plan.position) : "; nothing chosen") +
+         (plan.position ? "; proposed: position " + std::to_string(*plan.position) : "; nothing proposed") +
          "; least overlap t = " + figure(plan.leastOverlap, 0) + " mm²</figcaption></figure>\n";
 }
 

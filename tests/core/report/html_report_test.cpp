@@ -120,5 +120,26 @@ TEST(SvgChart, RefusesWhatCannotBeDrawn) {
   EXPECT_THROW(static_cast<void>(drawChart(LineChart{"l", {1.0 / 0.0}})), InvalidInput);
 }
 
+TEST(HtmlReport, SaysWhatAFurtherViewWouldShowWhenTheOperatorEndedIt) {
+  AcquisitionState state = twoViews();
+  auto plan = std::make_shared<Plan>(*state.plan);
+  plan->outcome = PlanOutcome::Found;
+  state.plan = plan;
+  state.profile = std::make_shared<const ScannerProfile>();
+  state.termination = Termination::EndedByOperator;
+  const std::string html = makeHtmlReport(state, {});
+  EXPECT_TRUE(contains(html, "<p>Ended by the operator. A view from position 1 would still show 10 mm².</p>"));
+  EXPECT_FALSE(contains(html, "chosen"));
+}
+
+TEST(HtmlReport, ClaimsNoAreasForRecordedScans) {
+  AcquisitionState state = twoViews();
+  for (KeptScan& scan : state.scans) scan.record.newArea = 0.0;
+  state.termination = Termination::Imported;
+  const std::string html = makeHtmlReport(state, {});
+  EXPECT_FALSE(contains(html, "<h2>Coverage"));
+  EXPECT_TRUE(contains(html, "<td>–</td><td>–</td><td>–</td><td>–</td><td>0.000</td>"));
+}
+
 }  // namespace
 }  // namespace vantage
