@@ -49,12 +49,19 @@ QString areaText(double value) {
   return shortNumber(value) + QStringLiteral(" mm²");
 }
 
+QString titleOf(const ObjectiveChartData& data) {
+  if (data.chosen)
+    return (data.operatorsChoice ? Text::tr("Next view, your choice: position %1")
+                                 : Text::tr("Next best view: position %1"))
+        .arg(*data.chosen);
+  return data.further ? Text::tr("Ended; position %1 would be next").arg(*data.further) : Text::tr("No next view");
+}
+
 // Title, and what the marked position has.
 void paintHead(QPainter& painter, const QRectF& area, const ObjectiveChartData& data, const ObjectiveMarks& marks,
                const Theme& theme) {
   const std::optional<int> told = marks.hovered ? marks.hovered : marks.examined ? marks.examined : data.chosen;
-  QString title = data.chosen ? Text::tr("Next best view: position %1").arg(*data.chosen) : Text::tr("No next view");
-  paintOverlay(painter, area, {{title}, {}}, theme);
+  paintOverlay(painter, area, {{titleOf(data)}, {}}, theme);
   if (!told || *told >= static_cast<int>(data.positions.size())) return;
   const auto& p = data.positions[static_cast<std::size_t>(*told)];
   const QString line = Text::tr("position %1: void %2, overlap %3")
@@ -259,6 +266,7 @@ void paintBars(QPainter& painter, const QRectF& area, const ObjectiveChartData& 
 
 ObjectiveChartData objectiveChartData(const ViewSnapshot& snapshot) {
   ObjectiveChartData data;
+  data.recorded = snapshot.state && snapshot.state->termination == Termination::Imported;
   if (!snapshot.plan || snapshot.profile() == nullptr) return data;
   const Plan& plan = *snapshot.plan;
   const Workspace& workspace = snapshot.profile()->workspace;
@@ -283,6 +291,8 @@ ObjectiveChartData objectiveChartData(const ViewSnapshot& snapshot) {
   data.terminationThreshold = plan.terminationThreshold;
   data.current = snapshot.current();
   data.chosen = snapshot.proposed();
+  data.further = snapshot.further;
+  data.operatorsChoice = snapshot.operatorsChoice;
   data.turntable = workspace.steps == static_cast<int>(workspace.size());
   return data;
 }
@@ -292,8 +302,8 @@ void paintObjective(QPainter& painter, const QRectF& area, const ObjectiveChartD
   painter.fillRect(area, theme.panel);
   painter.setRenderHint(QPainter::Antialiasing);
   if (data.empty()) {
-    paintText(painter, area.center(), Qt::AlignHCenter | Qt::AlignVCenter, Text::tr("No plan yet"), theme.mutedText,
-              13.0);
+    const QString why = data.recorded ? Text::tr("Nothing is planned from recorded scans") : Text::tr("No plan yet");
+    paintText(painter, area.center(), Qt::AlignHCenter | Qt::AlignVCenter, why, theme.mutedText, 13.0);
     return;
   }
   paintHead(painter, area, data, marks, theme);

@@ -29,8 +29,11 @@ struct ObjectiveChartData {
   double mostOverlap = 0.0;           ///< [mm^2]
   double leastOverlap = 0.0;          ///< t [mm^2]
   double terminationThreshold = 0.0;  ///< F [mm^2]
-  std::optional<int> current;         ///< where the last view was taken
-  std::optional<int> chosen;          ///< the next best view
+  std::optional<int> current;         ///< where the table stands
+  std::optional<int> chosen;          ///< the next view
+  std::optional<int> further;         ///< what would be next if an acquisition that has ended went on
+  bool operatorsChoice = false;       ///< the operator chose the next view
+  bool recorded = false;              ///< of recorded scans, for which nothing is planned
   bool turntable = false;             ///< positions share one circle, so that a dial shows them all
 
   [[nodiscard]] bool empty() const { return positions.empty(); }

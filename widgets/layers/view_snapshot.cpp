@@ -1,6 +1,6 @@
 #include "layers/view_snapshot.h"
 
-#include "acquisition/next_scan.h"
+#include "acquisition/further_scan.h"
 
 namespace vantage {
 
@@ -12,7 +12,12 @@ SharedSnapshot makeSnapshot(std::shared_ptr<const AcquisitionState> state,
     snapshot->plan = state->plan;
     snapshot->views = viewsOf(*state);
     if (!state->scans.empty()) snapshot->table = state->scans.back().station().position;
-    if (state->plan) snapshot->next = nextPosition(*state);
+    if (state->plan) {
+      const auto further = furtherScan(*state);
+      snapshot->next = nextPosition(*state);
+      if (!snapshot->next && further) snapshot->further = further->position;
+    }
+    snapshot->operatorsChoice = snapshot->next && state->chosenPosition.has_value();
   }
   snapshot->state = std::move(state);
   snapshot->scannerImages = std::move(scannerImages);

@@ -22,7 +22,10 @@ struct ViewSnapshot {
   [[nodiscard]] const Model* model() const { return state ? state->model.get() : nullptr; }
   std::optional<int> table;  ///< the position where the table stands
   std::optional<int> next;  ///< the position of the next scan, once there is a plan: proposed, or the operator's choice
-  std::vector<View> views;  ///< of the model, in order
+  /// The same once the acquisition has ended: the position that would come next if it went on.
+  std::optional<int> further;
+  bool operatorsChoice = false;  ///< the next position is the operator's
+  std::vector<View> views;       ///< of the model, in order
 
   [[nodiscard]] std::optional<int> current() const { return table; }
   [[nodiscard]] std::optional<int> proposed() const { return next; }

@@ -220,7 +220,9 @@ Overlay ModelScene::overlay() const {
   if (examined_)
     rays.entries.push_back({theme_->examined, Text::tr("examined position %1").arg(*examined_)});
   else if (options_.proposedRays && snapshot_->proposed())
-    rays.entries.push_back({theme_->proposed, Text::tr("proposed view, position %1").arg(*snapshot_->proposed())});
+    rays.entries.push_back({theme_->proposed, (snapshot_->operatorsChoice ? Text::tr("your choice, position %1")
+                                                                          : Text::tr("proposed view, position %1"))
+                                                  .arg(*snapshot_->proposed())});
   if (!rays.entries.empty()) overlay.legends.emplace_back(rays);
   return overlay;
 }
