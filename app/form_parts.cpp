@@ -21,18 +21,24 @@ QLabel* makeLabel(const QString& text, const char* role) {
 QPushButton* makeButton(const QString& text, const QString& objectName, const QString& help, bool primary) {
   auto* button = new QPushButton(text);
   button->setObjectName(objectName);
-  button->setToolTip(help);
-  button->setProperty(kHelp, help);
+  setHelp(*button, help);
   button->setAccessibleName(QString(text).remove(QLatin1Char('&')));
-  button->setAccessibleDescription(help);
   button->setProperty("primary", primary);
   return button;
 }
 
-void allow(QPushButton& button, const QString& whyNot) {
-  button.setEnabled(whyNot.isEmpty());
-  button.setToolTip(whyNot.isEmpty() ? button.property(kHelp).toString() : whyNot);
-  button.setAccessibleDescription(button.toolTip());
+void setHelp(QWidget& control, const QString& help) {
+  control.setProperty(kHelp, help);
+  control.setToolTip(help);
+  control.setAccessibleDescription(help);
+}
+
+// The help is what the tooltip said before it first said why not.
+void allow(QWidget& control, const QString& whyNot) {
+  if (!control.property(kHelp).isValid()) control.setProperty(kHelp, control.toolTip());
+  control.setEnabled(whyNot.isEmpty());
+  control.setToolTip(whyNot.isEmpty() ? control.property(kHelp).toString() : whyNot);
+  control.setAccessibleDescription(control.toolTip());
 }
 
 FigureTable::FigureTable(QWidget* parent) : QWidget(parent), grid_(new QGridLayout(this)) {

@@ -16,8 +16,11 @@ namespace vantage {
 [[nodiscard]] QPushButton* makeButton(const QString& text, const QString& objectName, const QString& help,
                                       bool primary = false);
 
-/// Enables a button of makeButton, whose tooltip is its help then, or says in its tooltip why it cannot be pressed now.
-void allow(QPushButton& button, const QString& whyNot);
+/// What a control does, for its tooltip while it can be used.
+void setHelp(QWidget& control, const QString& help);
+
+/// Enables a control, whose tooltip is its help then, or says in its tooltip why it cannot be used now.
+void allow(QWidget& control, const QString& whyNot);
 
 /// Rows of name, value and remark that can be filled again and again.
 class FigureTable final : public QWidget {

@@ -8,6 +8,7 @@
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QSettings>
+#include <QShortcut>
 #include <QStatusBar>
 
 #include "docks/job_panel.h"
@@ -106,11 +107,20 @@ QAction* MainWindow::addAction(QMenu& menu, const QString& text, const QKeySeque
   return action;
 }
 
+// What cannot always be done: its key works even then, and is told why not.
+QAction* MainWindow::addGuarded(QMenu& menu, const QString& text, const QKeySequence& shortcut,
+                                const std::function<void()>& run) {
+  auto* key = new QShortcut(shortcut, this);
+  connect(key, &QShortcut::activated, this, run);
+  return addAction(menu, text + QLatin1Char('\t') + shortcut.toString(QKeySequence::NativeText), {}, run);
+}
+
 void MainWindow::addMenus() {
   addSessionMenu();
   QMenu& edit = *menuBar()->addMenu(tr("&Edit"));
-  undo_ = addAction(edit, tr("&Undo"), QKeySequence::Undo, [this] { controller_.undo(); });
-  redo_ = addAction(edit, tr("&Redo"), QKeySequence::Redo, [this] { controller_.redo(); });
+  edit.setToolTipsVisible(true);
+  undo_ = addGuarded(edit, tr("&Undo"), QKeySequence::Undo, [this] { controller_.undo(); });
+  redo_ = addGuarded(edit, tr("&Redo"), QKeySequence::Redo, [this] { controller_.redo(); });
   edit.addSeparator();
   addAction(edit, tr("&Settings…"), tr("Ctrl+,"), [this] { editSettings(); });
   addViewMenu();
@@ -121,16 +131,17 @@ void MainWindow::addMenus() {
 void MainWindow::addSessionMenu() {
   QMenu& session = *menuBar()->addMenu(tr("&Session"));
   session.setToolTipsVisible(true);
-  open_ = addAction(session, tr("&Open…"), QKeySequence::Open, [this] { openSession(); });
-  close_ = addAction(session, tr("&Close"), QKeySequence::Close, [this] {
+  open_ = addGuarded(session, tr("&Open…"), QKeySequence::Open, [this] { openSession(); });
+  close_ = addGuarded(session, tr("&Close"), QKeySequence::Close, [this] {
+    if (const QString why = controller_.whyNotClose(); !why.isEmpty()) return say(why);
     controller_.close();
     wizard_->goTo(0);
   });
   session.addSeparator();
-  run_ = addAction(session, tr("&Run or go on"), tr("F5"), [this] { controller_.run(); });
-  step_ = addAction(session, tr("One &scan"), tr("F6"), [this] { controller_.step(); });
-  pause_ = addAction(session, tr("&Pause"), tr("F7"), [this] { controller_.pause(); });
-  stop_ = addAction(session, tr("S&top"), tr("Shift+F5"), [this] { controller_.stop(); });
+  run_ = addGuarded(session, tr("&Run or go on"), tr("F5"), [this] { controller_.run(); });
+  step_ = addGuarded(session, tr("One &scan"), tr("F6"), [this] { controller_.step(); });
+  pause_ = addGuarded(session, tr("&Pause"), tr("F7"), [this] { controller_.pause(); });
+  stop_ = addGuarded(session, tr("S&top"), tr("Shift+F5"), [this] { controller_.stop(); });
   session.addSeparator();
   addAction(session, tr("Next pa&ge"), tr("Alt+Right"), [this] { wizard_->goOn(); });
   addAction(session, tr("Page &before"), tr("Alt+Left"), [this] { wizard_->goBack(); });
@@ -171,10 +182,7 @@ void MainWindow::connectController() {
     box->setAttribute(Qt::WA_DeleteOnClose);
     box->open();
   });
-  connect(&controller_, &SessionController::refused, this, [this](const QString& why) {
-    log_->add(why);
-    statusBar()->showMessage(why, 8000);
-  });
+  connect(&controller_, &SessionController::refused, this, &MainWindow::say);
   connect(&controller_, &SessionController::setUpChanged, this, &MainWindow::refreshActions);
   connect(&controller_, &SessionController::written, log_,
           [this](const QString& path) { log_->add(tr("Written: %1").arg(path)); });
@@ -209,7 +217,13 @@ void MainWindow::refreshTitle() {
   refreshActions();
 }
 
+void MainWindow::say(const QString& why) {
+  log_->add(why);
+  statusBar()->showMessage(why, 8000);
+}
+
 void MainWindow::openSession() {
+  if (!controller_.idle()) return say(tr("Something else is under way."));
   const QString path = QFileDialog::getOpenFileName(this, tr("Open a session"), {}, tr("Sessions (*.vantage)"));
   if (path.isEmpty()) return;
   controller_.close();

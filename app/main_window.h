@@ -47,10 +47,12 @@ class MainWindow final : public QMainWindow {
   void addSessionMenu();
   void addViewMenu();
   QAction* addAction(QMenu& menu, const QString& text, const QKeySequence& shortcut, const std::function<void()>& run);
+  QAction* addGuarded(QMenu& menu, const QString& text, const QKeySequence& shortcut, const std::function<void()>& run);
   void connectController();
   void refreshActions();
   void refreshTitle();
   void openSession();
+  void say(const QString& why);
   void editSettings();
   void writeReport(const QString& path);
   void resetLayout();

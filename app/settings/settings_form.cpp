@@ -90,6 +90,7 @@ QWidget* SettingsForm::buildFileButtons() {
                                        tr("Take all options from a file that was saved before."));
   QPushButton* saveButton = makeButton(tr("Save options…"), QStringLiteral("save_options"),
                                        tr("Keep all options in a file, for here and for the command line."));
+  editors_.push_back(loadButton);
   connect(loadButton, &QPushButton::clicked, this, [this] {
     const QString path = QFileDialog::getOpenFileName(this, tr("Load options"), {}, tr("Options (*.json)"));
     if (!path.isEmpty()) load(path);
@@ -110,6 +111,7 @@ void SettingsForm::add(const SettingField& field, QFormLayout& form) {
     emit edited();
   });
   refreshers_.push_back(editor.refresh);
+  editors_.push_back(editor.widget);
   form.addRow(labelOf(field), editor.widget);
 }
 

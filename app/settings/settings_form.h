@@ -26,6 +26,9 @@ class SettingsForm final : public QWidget {
   /// Whether no settings contradict each other.
   [[nodiscard]] bool consistent() const { return consistent_; }
 
+  /// All that changes settings.
+  [[nodiscard]] const std::vector<QWidget*>& editors() const { return editors_; }
+
   /// A profile of options, to and from a file. What is wrong is said in the form; the settings then stay as they are.
   void save(const QString& path);
   void load(const QString& path);
@@ -44,6 +47,7 @@ class SettingsForm final : public QWidget {
   AcquisitionSettings settings_;
   bool consistent_ = true;
   std::vector<std::function<void()>> refreshers_;
+  std::vector<QWidget*> editors_;
   QLabel* complaint_ = nullptr;
 };
 

@@ -44,6 +44,7 @@ QString patternsOf(const std::vector<std::string>& extensions) {
 
 QToolButton* browseButton(const QString& what) {
   auto* button = new QToolButton;
+  button->setObjectName(QStringLiteral("browse"));
   button->setText(QStringLiteral("…"));
   button->setToolTip(what);
   button->setAccessibleName(what);
@@ -160,6 +161,10 @@ bool ChoosePage::complete() const {
           !folder_->text().trimmed().isEmpty() && form_->consistent());
 }
 
+QString ChoosePage::whyNotNext() const {
+  return complete() ? QString() : tr("Choose a scanner, an object and a folder first.");
+}
+
 QString ChoosePage::whatNext() const {
   return controller().hasSession() ? tr("The set-up of this session is shown. Its scanner and object stay as they are.")
                                    : tr("Scanner and object are read and checked. Nothing is scanned yet.");
@@ -175,10 +180,35 @@ void ChoosePage::entered() {
     select(*object_, QString::fromStdString(chosen.settings.simulation.object));
   if (open) folder_->setText(QString::fromStdString(chosen.folder));
   if (open) form_->setSettings(chosen.settings);
-  for (QWidget* editor : {static_cast<QWidget*>(scanner_), static_cast<QWidget*>(object_),
-                          static_cast<QWidget*>(folder_), static_cast<QWidget*>(form_)})
-    editor->setEnabled(!open);
+  showScanner();
+  allowChoice();
   emit changed();
+}
+
+// A session keeps its scanner by itself: no file of the list need be the one.
+void ChoosePage::showScanner() {
+  const bool open = controller().hasSession();
+  if (open == (scanner_->currentIndex() < 0)) return;
+  if (open) {
+    chosenScanner_ = scanner_->currentData().toString();
+    const SharedSetUp& setUp = controller().setUp();
+    const bool known = setUp && setUp->profile;
+    scanner_->setPlaceholderText(known ? QString::fromStdString(setUp->profile->name)
+                                       : tr("None: the scans were recorded elsewhere"));
+    scanner_->setCurrentIndex(-1);
+  } else {
+    select(*scanner_, chosenScanner_);
+  }
+}
+
+void ChoosePage::allowChoice() {
+  const QString whyNot =
+      controller().hasSession() ? tr("The session that is open keeps what it was begun with.") : QString();
+  for (QWidget* editor :
+       {static_cast<QWidget*>(scanner_), static_cast<QWidget*>(object_), static_cast<QWidget*>(folder_)})
+    allow(*editor, whyNot);
+  for (QWidget* editor : form_->editors()) allow(*editor, whyNot);
+  for (auto* browse : findChildren<QToolButton*>(QStringLiteral("browse"))) allow(*browse, whyNot);
 }
 
 void ChoosePage::leaving() {

@@ -23,6 +23,7 @@ class ChoosePage final : public WizardPage {
   [[nodiscard]] QString whatNext() const override;
   [[nodiscard]] QString nextText() const override { return tr("&Next: check the set-up"); }
   [[nodiscard]] bool complete() const override;
+  [[nodiscard]] QString whyNotNext() const override;
   void entered() override;
   void leaving() override;
 
@@ -34,6 +35,8 @@ class ChoosePage final : public WizardPage {
   void fill(QComboBox& box, const QString& folder, const QString& pattern, const QString& preferred);
   QComboBox* addFileRow(const QString& label, const QString& name, const QString& help, const QString& filter);
   void suggestFolder();
+  void showScanner();
+  void allowChoice();
   [[nodiscard]] SetUpChoice choice() const;
 
   QString resources_;
@@ -41,6 +44,7 @@ class ChoosePage final : public WizardPage {
   QComboBox* object_ = nullptr;
   QLineEdit* folder_ = nullptr;
   SettingsForm* form_ = nullptr;
+  QString chosenScanner_;  // before a session was opened
 };
 
 }  // namespace vantage

@@ -114,11 +114,11 @@ void Wizard::refresh() {
   where_->setText(tr("Step %1 of %2").arg(index_ + 1).arg(pageCount()));
   title_->setText(page().title());
   whatNext_->setText(page().whatNext());
-  back_->setEnabled(index_ > 0);
+  allow(*back_, index_ > 0 ? QString() : tr("This is the first page."));
   next_->setText(page().nextText());
   next_->setAccessibleName(QString(page().nextText()).remove(QLatin1Char('&')));
-  next_->setAccessibleDescription(page().whatNext());
-  next_->setEnabled(page().complete());
+  setHelp(*next_, page().whatNext());
+  allow(*next_, page().whyNotNext());
 }
 
 }  // namespace vantage

@@ -12,6 +12,12 @@ WizardPage::WizardPage(SessionController& controller, QWidget* parent)
   column_->setSpacing(8);
 }
 
+QString WizardPage::whyNotNext() const {
+  if (complete()) return {};
+  if (!controller_.idle()) return tr("Something else is under way.");
+  return controller_.setUp() ? tr("Nothing has been scanned yet.") : tr("Scanner and object are not read yet.");
+}
+
 void WizardPage::addSection(const QString& text) {
   column_->addSpacing(4);
   column_->addWidget(makeLabel(text, "section"));

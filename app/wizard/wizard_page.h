@@ -20,8 +20,10 @@ class WizardPage : public QWidget {
   [[nodiscard]] virtual QString whatNext() const = 0;  ///< one sentence: what going on will do
   [[nodiscard]] virtual QString nextText() const = 0;  ///< on the button; empty hides it
   [[nodiscard]] virtual bool complete() const = 0;     ///< one may go on
-  virtual void entered() {}                            ///< the page has come up
-  virtual void leaving() {}                            ///< one goes on from here
+  /// Why one may not go on, for when one may not.
+  [[nodiscard]] virtual QString whyNotNext() const;
+  virtual void entered() {}  ///< the page has come up
+  virtual void leaving() {}  ///< one goes on from here
 
  signals:
   void changed();   ///< title, texts or completeness
