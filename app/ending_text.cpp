@@ -1,8 +1,8 @@
 #include "ending_text.h"
 
 #include <QCoreApplication>
-#include <algorithm>
 
+#include "acquisition/further_scan.h"
 #include "planning/choice.h"
 #include "why_card.h"
 #include "wording.h"
@@ -14,11 +14,22 @@ struct Text {
   Q_DECLARE_TR_FUNCTIONS(Ending)
 };
 
-// The most that a position which may be scanned from would show.
+// What a further view would show.
 QString stillShown(const AcquisitionState& state) {
-  if (!state.plan || state.plan->outcome != PlanOutcome::Found) return {};
-  const PositionScore& best = state.plan->scores[static_cast<std::size_t>(state.plan->position.value())];
-  return Text::tr(" Position %1 would still show %2.").arg(best.position).arg(areaText(promise(best)));
+  const auto further = furtherScan(state);
+  if (!further || !further->predicted) return {};
+  return Text::tr(" Position %1 would still show %2.")
+      .arg(QString::number(further->position), areaText(promise(*further->predicted)));
+}
+
+// What an operator can do about a scan that did not fit.
+QString remedy(const AcquisitionState& state) {
+  const auto next = nextPosition(state);
+  const auto failed = state.scans.back().station().position;
+  if (!failed) return {};
+  if (!next) return Text::tr("If the table stood wrong, turn it to position %1 and take that once more.").arg(*failed);
+  return Text::tr("If the table stood wrong, take position %1 once more; else go on from position %2.")
+      .arg(QString::number(*failed), QString::number(*next));
 }
 
 }  // namespace
@@ -26,18 +37,20 @@ QString stillShown(const AcquisitionState& state) {
 QString endingText(const AcquisitionState& state) {
   if (state.termination == Termination::Finished && !state.plan)
     return Text::tr("Ended: the views that were asked for are taken.");
-  const QString text = terminationText(state.termination);
-  const bool byChoice = state.termination == Termination::MaxViews || state.termination == Termination::EndedByOperator;
-  return byChoice ? text + stillShown(state) : text;
+  const bool running = state.termination == Termination::Running;
+  return terminationText(state.termination) + (running ? QString() : stillShown(state));
+}
+
+QString failedScanText(std::int64_t number, std::optional<int> position, const Finding& finding) {
+  const QString where = position ? Text::tr(" from position %1").arg(*position) : QString();
+  return Text::tr("Scan %1%2 did not fit: %3.").arg(QString::number(number), where, findingText(finding));
 }
 
 QString failedScanText(const AcquisitionState& state) {
   if (state.scans.empty() || state.scans.back().status != ScanStatus::Rejected) return {};
   const KeptScan& scan = state.scans.back();
-  const QString where =
-      scan.station().position ? Text::tr(" from position %1").arg(*scan.station().position) : QString();
-  return Text::tr("Scan %1%2 did not fit: %3. It is kept, but not part of the model.")
-      .arg(QString::number(scan.number), where, findingText(scan.record.registration.finding));
+  return failedScanText(scan.number, scan.station().position, scan.record.registration.finding) +
+         Text::tr(" It is kept, but not part of the model. ") + remedy(state);
 }
 
 }  // namespace vantage

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <QString>
+#include <cstdint>
+#include <optional>
 
 #include "acquisition/acquisition_state.h"
 
@@ -10,7 +12,10 @@ namespace vantage {
 /// that it does.
 [[nodiscard]] QString endingText(const AcquisitionState& state);
 
-/// That the last scan did not find its place, and why; empty when it did.
+/// That a scan did not find its place, and why.
+[[nodiscard]] QString failedScanText(std::int64_t number, std::optional<int> position, const Finding& finding);
+
+/// The same of the last scan, with what can be done about it; empty when it did find its place.
 [[nodiscard]] QString failedScanText(const AcquisitionState& state);
 
 }  // namespace vantage

@@ -1,5 +1,6 @@
 #include "moments.h"
 
+#include "ending_text.h"
 #include "wording.h"
 
 namespace vantage {
@@ -17,6 +18,8 @@ Moment momentOf(const HistoryEntry& entry, bool undone) {
     moment.rejected = scan.status == ScanStatus::Rejected;
     moment.position = scan.station.position;
     moment.newArea = scan.record ? scan.record->newArea : 0.0;
+    if (moment.rejected && scan.record)
+      moment.text = failedScanText(added->scan, moment.position, scan.record->registration.finding);
   }
   return moment;
 }

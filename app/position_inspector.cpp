@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "acquisition/further_scan.h"
 #include "acquisition/steps.h"
 
 namespace vantage {
@@ -26,13 +27,36 @@ Computed compute(const AcquisitionState& state, const Plan& plan, std::shared_pt
   return result;
 }
 
+// Whether a scan from there did not fit, and none has found its place since.
+bool failedFrom(const AcquisitionState& state, int position) {
+  bool failed = false;
+  for (const KeptScan& scan : state.scans) {
+    if (scan.station().stand != state.stand()) continue;
+    if (scan.status == ScanStatus::In) failed = false;
+    if (scan.status == ScanStatus::Rejected) failed = failed || scan.station().position == position;
+  }
+  return failed;
+}
+
 }  // namespace
+
+PositionRole roleOf(const AcquisitionState& state, int position) {
+  const bool next = nextPosition(state) == position;
+  if (next && state.chosenPosition) return PositionRole::OperatorsChoice;
+  if (failedFrom(state, position)) return PositionRole::Failed;
+  const auto further = furtherScan(state);
+  if (!further || further->position != position) return PositionRole::None;
+  if (!next) return PositionRole::Further;
+  return state.plan && state.plan->position == position ? PositionRole::Proposed : PositionRole::AfterFailure;
+}
 
 void PositionInspector::inspect(const std::shared_ptr<const AcquisitionState>& state, int position) {
   const auto plan = state ? state->plan : nullptr;
   if (!plan || !state->profile || position < 0 || position >= static_cast<int>(plan->scores.size())) return forget();
   jobs_.cancel(job_);
-  insight_ = PositionInsight{explain(*plan, position), plan, nullptr, nullptr};
+  insight_ = PositionInsight{explain(*plan, position), plan, nullptr, nullptr, roleOf(*state, position)};
+  const auto proposed = proposedScan(*state);
+  insight_->planHolds = !proposed || proposed->position == plan->position;
   emit changed();
   if (!plan->voids || !state->model) return;
   if (scenePlan_ != plan) scene_.reset();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QObject>
+#include <cstdint>
 #include <memory>
 #include <optional>
 
@@ -12,6 +13,17 @@
 
 namespace vantage {
 
+/// What a position is to the acquisition, beside what the plan says of it.
+enum class PositionRole : std::uint8_t {
+  None,
+  Proposed,         ///< the next scan is taken from here, as the plan proposes
+  OperatorsChoice,  ///< the next scan is taken from here, as the operator wants
+  AfterFailure,     ///< the next scan is taken from here, as the one that the plan proposed did not fit
+  Further,          ///< the acquisition has ended; it would come next if it went on
+  Failed,           ///< a scan from here did not fit
+};
+[[nodiscard]] PositionRole roleOf(const AcquisitionState& state, int position);
+
 /// All there is to say about one position. The explanation is the plan's own record; sight and picture are computed
 /// from the model with the scanner's rays.
 struct PositionInsight {
@@ -19,6 +31,8 @@ struct PositionInsight {
   std::shared_ptr<const Plan> plan;
   std::shared_ptr<const PositionSight> sight;     ///< null until it is computed
   std::shared_ptr<const ScannerPicture> picture;  ///< null until it is computed
+  PositionRole role = PositionRole::None;
+  bool planHolds = true;  ///< what the plan proposes is proposed still: no scan has failed since
 };
 
 /// Answers "why this view, why not that one" for a position of a state. The record is told at once, what has to be

@@ -2,7 +2,9 @@
 
 #include <utility>
 
+#include "acquisition/further_scan.h"
 #include "base/errors.h"
+#include "ending_text.h"
 #include "io/atomic_file.h"
 #include "io/mesh_writer.h"
 #include "refusal_text.h"
@@ -126,7 +128,7 @@ void SessionController::open(const QString& path) {
 }
 
 void SessionController::close() {
-  if (!idle()) return;
+  if (!allowed(busyOr({}))) return;
   session_.reset();
   now_.reset();
   shown_.reset();
@@ -141,8 +143,13 @@ void SessionController::close() {
 }
 
 SessionController::Publication SessionController::describe(const Session& session) {
-  return {session.state(), momentsOf(session.history()), static_cast<int>(session.history().cursor()),
-          vantage::tablePosition(session)};
+  Publication publication{session.state(), momentsOf(session.history()), static_cast<int>(session.history().cursor()),
+                          vantage::tablePosition(session)};
+  // Only of the moment that holds is known what an end leaves.
+  if (std::holds_alternative<Finish>(session.history().current().command) &&
+      publication.state->termination != Termination::Running)
+    publication.moments[session.history().cursor()].text = endingText(*publication.state);
+  return publication;
 }
 
 void SessionController::publish(Publication publication) {
@@ -315,10 +322,6 @@ void SessionController::endHere() {
   change(Finish{Termination::EndedByOperator});
 }
 
-void SessionController::goOn() {
-  change(Finish{Termination::Running});
-}
-
 void SessionController::allowMoreViews(int more) {
   ChangeSettings command{now_ ? now_->settings : choice_.settings};
   command.settings.maxViews += more;
@@ -342,6 +345,18 @@ std::optional<int> SessionController::nextPosition() const {
   const NextScan following = next();
   const auto* scan = std::get_if<ScanFrom>(&following);
   return scan != nullptr ? std::optional(scan->position) : std::nullopt;
+}
+
+std::optional<int> SessionController::furtherPosition() const {
+  if (!now_) return nextPosition();
+  const auto further = furtherScan(*now_);
+  return further ? std::optional(further->position) : std::nullopt;
+}
+
+std::optional<int> SessionController::proposedPosition() const {
+  if (!now_) return nextPosition();
+  const auto proposed = proposedScan(*now_);
+  return proposed ? std::optional(proposed->position) : std::nullopt;
 }
 
 std::optional<int> SessionController::tablePosition() const {

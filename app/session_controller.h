@@ -86,7 +86,6 @@ class SessionController final : public QObject {
   /// The position of the next scan; nothing goes back to what the plan proposes.
   void choosePosition(std::optional<int> position);
   void endHere();
-  void goOn();
   /// Raises the greatest number of views.
   void allowMoreViews(int more);
   void leaveOut(std::int64_t scan);
@@ -96,6 +95,10 @@ class SessionController final : public QObject {
   /// What comes next, also before there is a session: the one place that knows.
   [[nodiscard]] NextScan next() const;
   [[nodiscard]] std::optional<int> nextPosition() const;
+  /// What would come next if the acquisition were opened again and allowed one more view.
+  [[nodiscard]] std::optional<int> furtherPosition() const;
+  /// The same, had the operator chosen no position.
+  [[nodiscard]] std::optional<int> proposedPosition() const;
   /// Where the table stands: the one place that knows. Nothing without positions.
   [[nodiscard]] std::optional<int> tablePosition() const;
   /// How to turn the table from where it stands; nothing without turntable or position.

@@ -27,9 +27,10 @@ PlanPictures computePictures(const ViewSnapshot& snapshot, const Progress& progr
   return pictures;
 }
 
-// The proposed position; when nothing is proposed, the one that comes nearest to it; none without a plan.
+// The next position; when nothing comes next, what would, or the one that comes nearest to it; none without a plan.
 std::optional<int> positionToExplain(const ViewSnapshot& snapshot) {
   if (snapshot.proposed() || !snapshot.plan) return snapshot.proposed();
+  if (snapshot.further) return snapshot.further;
   const std::vector<PositionScore>& scores = snapshot.plan->scores;
   const auto best = std::max_element(scores.begin(), scores.end(), [](const PositionScore& a, const PositionScore& b) {
     return promise(a) < promise(b);

@@ -13,12 +13,35 @@ struct Text {
   Q_DECLARE_TR_FUNCTIONS(WhyCard)
 };
 
-QString verdictOf(const Explanation& why) {
+// What the acquisition makes of the position; the plan's verdict follows.
+QString roleText(PositionRole role) {
+  switch (role) {
+    case PositionRole::OperatorsChoice:
+      return Text::tr("Your choice: the next scan is taken from here. ");
+    case PositionRole::AfterFailure:
+      return Text::tr("Next, as the scan before did not fit: this one overlaps the model clearly more. ");
+    case PositionRole::Further:
+      return Text::tr("The acquisition has ended; if it went on, this would be next. ");
+    case PositionRole::Failed:
+      return Text::tr("A scan from here did not fit. ");
+    case PositionRole::None:
+    case PositionRole::Proposed:
+      break;
+  }
+  return {};
+}
+
+QString planVerdict(const Explanation& why, bool planHolds) {
   switch (why.constraint) {
     case Constraint::Chosen:
-      return Text::tr("Chosen: of all positions that overlap the model enough it shows the most unseen surface.");
+      return planHolds ? Text::tr(
+                             "Proposed: of all positions that overlap the model enough it shows the most unseen "
+                             "surface.")
+                       : Text::tr(
+                             "Of all positions that overlap the model enough it shows the most unseen surface; "
+                             "after a scan that did not fit another one comes next.");
     case Constraint::Outscored:
-      return Text::tr("Allowed, but the chosen position shows more.");
+      return planHolds ? Text::tr("Allowed, but the proposed position shows more.") : Text::tr("Allowed.");
     case Constraint::BelowThreshold:
       return Text::tr("Rejected: what it would show is %1 short of the least that is worth a scan.")
           .arg(areaText(why.shortBy));
@@ -85,10 +108,11 @@ QString difference(double value, double other, const QString& more, const QStrin
   return areaText(std::abs(value - other)) + QStringLiteral(" ") + (value >= other ? more : less);
 }
 
-QString comparisonOf(const Explanation& why) {
+QString comparisonOf(const Explanation& why, bool planHolds) {
   if (!why.rival) return why.constraint == Constraint::Chosen ? Text::tr("No other position is allowed.") : QString();
   const QString who = why.constraint == Constraint::Chosen ? Text::tr("The runner-up, position %1,").arg(*why.rival)
-                                                           : Text::tr("The chosen position %1").arg(*why.rival);
+                      : planHolds                          ? Text::tr("The proposed position %1").arg(*why.rival)
+                                  : Text::tr("Position %1, which the plan had proposed,").arg(*why.rival);
   return Text::tr("%1 shows %2 and overlaps %3.")
       .arg(who, difference(why.rivalPromise, why.promise, Text::tr("more"), Text::tr("less")),
            difference(why.rivalOverlap, why.overlapArea, Text::tr("more"), Text::tr("less")));
@@ -113,12 +137,12 @@ WhyCard makeWhyCard(const PositionInsight& insight) {
   const Explanation& why = insight.why;
   WhyCard card;
   card.title = Text::tr("Position %1").arg(why.position);
-  card.verdict = verdictOf(why);
+  card.verdict = roleText(insight.role) + planVerdict(why, insight.planHolds);
   addVoid(card, why);
   addRegistration(card, why);
   addPatches(card, why);
   if (insight.sight) addSights(card, *insight.sight);
-  card.comparison = comparisonOf(why);
+  card.comparison = comparisonOf(why, insight.planHolds);
   return card;
 }
 

@@ -8,11 +8,12 @@ namespace vantage {
 namespace {
 
 QString caption(const Moment& moment) {
-  if (moment.position && !moment.rejected)
-    return QCoreApplication::translate("TimeLine", "View %1 · position %2\n+%3")
-        .arg(QString::number(moment.views), QString::number(*moment.position), areaText(moment.newArea));
-  return moment.text +
-         (moment.rejected ? QCoreApplication::translate("TimeLine", "\ndid not fit") : QStringLiteral("\n "));
+  if (!moment.position) return moment.text + QStringLiteral("\n ");
+  const QString position = QString::number(*moment.position);
+  if (moment.rejected)
+    return QCoreApplication::translate("TimeLine", "Scan from position %1\ndid not fit").arg(position);
+  return QCoreApplication::translate("TimeLine", "View %1 · position %2\n+%3")
+      .arg(QString::number(moment.views), position, areaText(moment.newArea));
 }
 
 }  // namespace

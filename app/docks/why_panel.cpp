@@ -52,8 +52,8 @@ void WhyPanel::refresh() {
   if (!told) {
     title_->setText(tr("No position yet"));
     verdict_->setText(
-        tr("After a scan the proposed view is explained here. Click any position in the objective to ask why it was "
-           "not chosen."));
+        tr("Once a view is planned it is explained here. Click any position in the objective to ask why it was not "
+           "proposed."));
     return;
   }
   const WhyCard card = makeWhyCard(*insight);

@@ -8,6 +8,7 @@
 #include "ending_text.h"
 #include "form_parts.h"
 #include "geometry/measures.h"
+#include "report/areas_known.h"
 #include "why_card.h"
 #include "wizard/next_view_box.h"
 
@@ -21,6 +22,7 @@ constexpr int kMoreViews = 10;
 AcquirePage::AcquirePage(SessionController& controller, QWidget* parent)
     : WizardPage(controller, parent),
       mode_(new QTabBar),
+      failure_(makeLabel({}, "warning")),
       status_(makeLabel({})),
       figures_(new FigureTable),
       nextView_(new NextViewBox(controller)),
@@ -32,11 +34,13 @@ AcquirePage::AcquirePage(SessionController& controller, QWidget* parent)
       scan_(makeButton(tr("The table is turned: &scan"), QStringLiteral("scan"), tr("Scan from the position shown."),
                        true)),
       more_(makeButton(tr("&Allow %1 more views").arg(kMoreViews), QStringLiteral("more"),
-                       tr("Raise the greatest number of views and go on."))),
+                       tr("Raise the greatest number of views, so that you can go on."))),
       end_(makeButton(tr("&End here"), QStringLiteral("end"), tr("End the acquisition with what has been scanned."))) {
   build();
   connect(mode_, &QTabBar::currentChanged, this,
           [this](int tab) { this->controller().setMode(tab == 1 ? Mode::Assisted : Mode::Automatic); });
+  // Also what was not granted is shown as it is.
+  connect(&controller, &SessionController::refused, this, &AcquirePage::refresh);
   connect(more_, &QPushButton::clicked, this, [this] { this->controller().allowMoreViews(kMoreViews); });
   connect(run_, &QPushButton::clicked, &controller, &SessionController::run);
   connect(step_, &QPushButton::clicked, &controller, &SessionController::step);
@@ -61,6 +65,7 @@ void AcquirePage::build() {
   mode_->setExpanding(true);
   mode_->setDocumentMode(true);
   column().addWidget(mode_);
+  column().addWidget(failure_);
   column().addWidget(status_);
   auto* buttons = new QGridLayout;
   buttons->addWidget(run_, 0, 0, 1, 3);
@@ -105,10 +110,7 @@ QString AcquirePage::status() const {
   }
   const SharedState& now = controller().now();
   if (!now || now->scans.empty()) return tr("Nothing has been scanned yet.");
-  const QString failure = failedScanText(*now);
-  const QString rest =
-      now->termination == Termination::Running ? tr("Stopped. The next view is ready.") : endingText(*now);
-  return failure.isEmpty() ? rest : failure + QLatin1Char('\n') + rest;
+  return now->termination == Termination::Running ? tr("Stopped. The next view is ready.") : endingText(*now);
 }
 
 QString AcquirePage::whatNext() const {
@@ -132,6 +134,8 @@ void AcquirePage::refresh() {
   const SharedState& now = controller().now();
   nextView_->setAssisted(assisted());
   status_->setText(status());
+  failure_->setText(controller().idle() && now ? failedScanText(*now) : QString());
+  failure_->setVisible(!failure_->text().isEmpty());
   for (QPushButton* button : {run_, step_, pause_}) button->setVisible(!assisted());
   scan_->setVisible(assisted());
   run_->setText(complete() ? tr("&Go on") : tr("&Run"));
@@ -155,9 +159,11 @@ void AcquirePage::refreshFigures() {
   if (!now || now->scans.empty()) return;
   if (const std::size_t rejected = countScans(*now, ScanStatus::Rejected))
     figures_->add(tr("Scans that did not fit"), QString::number(rejected), tr("kept, but not part of the model"));
+  const KeptScan& last = now->scans.back();
+  const bool grown = last.status == ScanStatus::In && areasKnown(last.record);
   if (now->model)
     figures_->add(tr("Surface"), areaText(area(now->model->mesh)),
-                  tr("%1 new by the last scan").arg(areaText(now->scans.back().record.newArea)));
+                  grown ? tr("%1 new by the last scan").arg(areaText(last.record.newArea)) : QString());
   const auto& plan = now->plan;
   if (!plan || !plan->voids) return;
   const auto open =

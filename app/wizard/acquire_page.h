@@ -36,6 +36,7 @@ class AcquirePage final : public WizardPage {
   [[nodiscard]] bool assisted() const;
 
   QTabBar* mode_;
+  QLabel* failure_;
   QLabel* status_;
   FigureTable* figures_;
   NextViewBox* nextView_;

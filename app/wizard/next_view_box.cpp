@@ -69,47 +69,59 @@ QString NextViewBox::instruction(int position) const {
   return text;
 }
 
+// Also of an acquisition that has ended: what would come if it went on.
+QString NextViewBox::headline() const {
+  const SharedState& now = controller_.now();
+  if (now && !now->profile) return tr("Recorded scans have no next view.");
+  const std::optional<int> position = controller_.furtherPosition();
+  if (!position) return tr("No further view is proposed.");
+  const auto why = controller_.explained(*position);
+  if (!why) return tr("Position %1").arg(*position);
+  const QString text = !controller_.nextPosition() ? tr("If you go on: position %1 shows %2")
+                       : now->chosenPosition       ? tr("Position %1, your choice: shows %2")
+                                                   : tr("Position %1, proposed: shows %2");
+  return text.arg(QString::number(*position), areaText(why->promise));
+}
+
 void NextViewBox::refresh() {
-  const std::optional<int> next = controller_.nextPosition();
+  const std::optional<int> next = controller_.furtherPosition();
   if (controller_.setUp() && controller_.setUp()->profile)
     other_->setMaximum(static_cast<int>(controller_.setUp()->profile->workspace.size()) - 1);
-  const bool chosen = controller_.now() && controller_.now()->chosenPosition;
-  const auto why = next ? controller_.explained(*next) : std::nullopt;
-  if (!next)
-    headline_->setText(tr("No further view is proposed."));
-  else if (why)
-    headline_->setText((chosen ? tr("Position %1, your choice: shows %2") : tr("Position %1, proposed: shows %2"))
-                           .arg(QString::number(*next), areaText(why->promise)));
-  else
-    headline_->setText(tr("Position %1").arg(*next));
+  headline_->setText(headline());
   const auto advice = next ? controller_.turnTo(*next) : std::nullopt;
   dial_->setVisible(assisted_ && advice.has_value());
   instruction_->setVisible(assisted_ && next.has_value());
   if (advice) dial_->show(advice->from, advice->to, advice->turn.angle);
   instruction_->setText(next ? instruction(*next) : QString());
   const QString whyNot = controller_.whyNot(ChoosePosition{other_->value()});
-  other_->setEnabled(whyNot.isEmpty());
+  allow(*other_, whyNot);
   allow(*take_, whyNot);
-  allow(*back_, chosen ? controller_.whyNot(ChoosePosition{}) : tr("The proposed position is next already."));
+  const bool chosen = controller_.now() && controller_.now()->chosenPosition;
+  allow(*back_, chosen ? controller_.whyNot(ChoosePosition{}) : tr("No other position was taken."));
   refreshCost();
 }
 
 void NextViewBox::refreshCost() {
-  const auto plan = controller_.now() ? controller_.now()->plan : nullptr;
-  const auto other = controller_.explained(other_->value());
-  if (!plan || !other) return cost_->setText(tr("After the first scan every position is compared here."));
-  if (!plan->position) return cost_->setText(tr("It would show %1.").arg(areaText(other->promise)));
-  if (controller_.nextPosition() == other->position && plan->position != other->position)
-    return cost_->setText(tr("The next scan is taken from here."));
-  if (plan->position == other->position) return cost_->setText(tr("This is the proposed position."));
-  const auto best = controller_.explained(*plan->position);
-  const double lost = best->promise - other->promise;
+  cost_->setText(cost(other_->value()));
+}
+
+// What another position than the proposed one costs.
+QString NextViewBox::cost(int position) const {
+  const SharedState& now = controller_.now();
+  if (now && !now->profile) return controller_.whyNot(ChoosePosition{position});
+  const auto other = controller_.explained(position);
+  if (!other) return tr("After the first scan every position is compared here.");
+  const std::optional<int> proposed = controller_.proposedPosition();
+  const QString taken = now->chosenPosition == position ? tr("The next scan is taken from here. ") : QString();
+  if (!proposed) return taken + tr("It would show %1.").arg(areaText(other->promise));
+  if (*proposed == position) return taken + tr("This is the proposed position.");
+  const double lost = controller_.explained(*proposed)->promise - other->promise;
   QString text = lost >= 0 ? tr("Shows %1 less than the proposal").arg(areaText(lost))
                            : tr("Shows %1 more than the proposal").arg(areaText(-lost));
   if (other->constraint == Constraint::OverlapShort)
     text += tr(", and its overlap is %1 short: registration may fail").arg(areaText(other->shortBy));
   if (other->constraint == Constraint::PoseUncertain) text += tr(", and its registration would be uncertain");
-  cost_->setText(text + QLatin1Char('.'));
+  return taken + text + QLatin1Char('.');
 }
 
 }  // namespace vantage

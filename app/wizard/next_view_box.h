@@ -30,6 +30,8 @@ class NextViewBox final : public QGroupBox {
  private:
   void refresh();
   void refreshCost();
+  [[nodiscard]] QString headline() const;
+  [[nodiscard]] QString cost(int position) const;
   [[nodiscard]] QString instruction(int position) const;
 
   SessionController& controller_;

@@ -7,6 +7,7 @@
 #include "ending_text.h"
 #include "form_parts.h"
 #include "geometry/measures.h"
+#include "report/areas_known.h"
 #include "report/edges_left.h"
 #include "why_card.h"
 #include "wording.h"
@@ -128,7 +129,7 @@ void ReviewPage::addScan(const KeptScan& scan) {
   const std::optional<int> position = scan.station().position;
   const RegistrationResult& registration = scan.record.registration;
   const QString texts[] = {QString::number(scan.number), position ? QString::number(*position) : tr("none"),
-                           in ? figureText(scan.record.newArea) : QString(),
+                           in && areasKnown(scan.record) ? figureText(scan.record.newArea) : QString(),
                            in || leftOut ? figureText(registration.rms, 3) : QString(), statusText(scan)};
   for (int column = 0; column < 5; ++column) {
     auto* item = new QTableWidgetItem(texts[column]);

@@ -4,14 +4,22 @@
 
 #include <QAbstractButton>
 #include <QApplication>
+#include <QComboBox>
 #include <QDir>
 #include <QLabel>
 #include <QLineEdit>
+#include <QShortcut>
 #include <QSpinBox>
+#include <QStatusBar>
+#include <QTemporaryDir>
+#include <cmath>
 
+#include "geometry/measures.h"
 #include "main_window.h"
 #include "screenshots/painted_text.h"
 #include "screenshots/screenshot.h"
+#include "support/scenes/small_scene.h"
+#include "why_card.h"
 #include "wizard/next_view_box.h"
 
 namespace vantage {
@@ -96,6 +104,29 @@ QStringList nameless(const QWidget& window) {
   return names;
 }
 
+// Controls in sight that cannot be used and do not say why: their tooltip is empty, or the help of when they can be.
+QStringList unexplained(const QWidget& window) {
+  QStringList names;
+  for (const auto* widget : window.findChildren<QWidget*>()) {
+    const bool control = qobject_cast<const QAbstractButton*>(widget) != nullptr ||
+                         qobject_cast<const QComboBox*>(widget) != nullptr ||
+                         qobject_cast<const QAbstractSpinBox*>(widget) != nullptr;
+    if (!control || !widget->isVisible() || widget->isEnabled()) continue;
+    if (widget->toolTip().isEmpty() || widget->toolTip() == widget->property("help").toString())
+      names << widget->objectName() + QLatin1Char(' ') + widget->metaObject()->className();
+  }
+  return names;
+}
+
+// Whether a text is written anywhere in the window, in one piece of text or as a part of one.
+bool says(QWidget& window, const QString& text) {
+  for (const auto* label : window.findChildren<QLabel*>())
+    if (label->isVisible() && label->text().contains(text)) return true;
+  for (const testing::PaintedText& painted : testing::paintedText(window))
+    if (painted.text.contains(text)) return true;
+  return false;
+}
+
 struct Look {
   const char* name;
   QSize size;
@@ -114,6 +145,7 @@ class Pages : public ::testing::TestWithParam<Look> {
     EXPECT_EQ(testing::cutOff(texts).join(" | ").toStdString(), "") << page.toStdString();
     EXPECT_EQ(testing::overlapping(texts).join(" | ").toStdString(), "") << page.toStdString();
     EXPECT_EQ(nameless(desk.window()).join(" | ").toStdString(), "") << page.toStdString();
+    EXPECT_EQ(unexplained(desk.window()).join(" | ").toStdString(), "") << page.toStdString();
     EXPECT_EQ(desk.window().size(), GetParam().size) << "the window grew: " << page.toStdString();
     if (!GetParam().kept || image.devicePixelRatio() != 1.0) return;
     EXPECT_TRUE(testing::matchesBaseline(image, "window_" + page.toStdString() + "_" + GetParam().name));
@@ -164,6 +196,123 @@ TEST_P(Pages, NothingIsBlankClippedOrNamelessAfterALongSession) {
   check(desk, "4_why_at_the_end");
   desk.next();
   check(desk, "5_finish_finished");
+}
+
+// A session under way, at the page where scans are taken.
+class Told : public ::testing::Test {
+ protected:
+  void acquire(int scans) {
+    desk_.window().findChild<QSpinBox*>("max_views")->setValue(8);
+    desk_.next();
+    desk_.next();
+    for (int i = 0; i < scans; ++i) desk_.controller().step();
+    ASSERT_TRUE(desk_.controller().now());
+  }
+  void press(const QKeySequence& key) {
+    for (auto* shortcut : desk_.window().findChildren<QShortcut*>())
+      if (shortcut->key() == key) emit shortcut->activated();
+  }
+  // Looked at by people; what it says is compared.
+  void lookAt(const QString& name) {
+    EXPECT_TRUE(testing::isNotBlank(desk_.picture(QStringLiteral("told_") + name)));
+    EXPECT_EQ(clipped(desk_.window()).join(" | ").toStdString(), "") << name.toStdString();
+    EXPECT_EQ(unexplained(desk_.window()).join(" | ").toStdString(), "") << name.toStdString();
+  }
+  void expectSaid(const QString& text) { EXPECT_TRUE(says(desk_.window(), text)) << "nowhere: " << text.toStdString(); }
+  void expectNotSaid(const QString& text) {
+    EXPECT_FALSE(says(desk_.window(), text)) << "somewhere: " << text.toStdString();
+  }
+
+  Desk desk_{{1280, 800}, false};
+};
+
+TEST_F(Told, AFailedScanIsToldAndEveryPaneGoesOnFromOnePosition) {
+  acquire(2);
+  desk_.controller().setMode(Mode::Assisted);
+  desk_.controller().choosePosition(50);
+  desk_.controller().step();
+  const AcquisitionState& now = *desk_.controller().now();
+  ASSERT_EQ(now.scans.back().status, ScanStatus::Rejected);
+  const QString next = QString::number(desk_.controller().nextPosition().value());
+  lookAt("failed_scan");
+  expectSaid("from position 50 did not fit: ");
+  expectSaid("Position " + next + ", proposed");
+  expectSaid("Next best view: position " + next);
+  expectSaid("This is the proposed position.");
+  // The table stands at 200 degrees, whatever became of the scan.
+  const double turn = 4.0 * std::abs(std::remainder(next.toInt() - 50, 90));
+  expectSaid(QStringLiteral("Turn the table %1°").arg(QString::number(turn, 'f', 1)));
+  EXPECT_EQ(desk_.window().findChild<QSpinBox*>("otherPosition")->value(), next.toInt());
+}
+
+TEST_F(Told, TheOperatorsChoiceIsSpokenOfEverywhere) {
+  acquire(2);
+  const QString proposed = QString::number(desk_.controller().nextPosition().value());
+  desk_.controller().choosePosition(20);
+  lookAt("taken");
+  expectSaid("Position 20, your choice");
+  expectSaid("Next view, your choice: position 20");
+  expectSaid("Your choice: the next scan is taken from here.");
+  expectNotSaid("Next best view");
+  expectNotSaid("Position " + proposed + ", proposed");
+  EXPECT_EQ(desk_.window().findChild<QSpinBox*>("otherPosition")->value(), 20);
+}
+
+TEST_F(Told, AnEndThatTheOperatorWantedIsNoEndOfWhatCouldBeSeen) {
+  acquire(2);
+  const QString proposed = QString::number(desk_.controller().nextPosition().value());
+  desk_.controller().endHere();
+  const QString ending = "Ended by you. Position " + proposed + " would still show ";
+  lookAt("ended_here");
+  expectSaid(ending);
+  expectSaid("Ended; position " + proposed + " would be next");
+  expectNotSaid("no position would show more");
+  desk_.window().wizard().goTo(QStringLiteral("review"));
+  lookAt("ended_here_review");
+  expectSaid(ending);
+  desk_.window().wizard().goTo(QStringLiteral("acquire"));
+  desk_.controller().step();
+  EXPECT_EQ(countScans(*desk_.controller().now(), ScanStatus::In), 3U);
+}
+
+TEST_F(Told, TheKeyThatRunsSaysWhyItDoesNotWhileTheOperatorTurnsTheTable) {
+  acquire(1);
+  desk_.controller().setMode(Mode::Assisted);
+  press(QKeySequence(Qt::Key_F5));
+  EXPECT_EQ(countScans(*desk_.controller().now(), ScanStatus::In), 1U);
+  EXPECT_EQ(desk_.window().statusBar()->currentMessage(), desk_.controller().whyNotRun());
+  press(QKeySequence(Qt::Key_F6));
+  EXPECT_EQ(countScans(*desk_.controller().now(), ScanStatus::In), 2U);
+}
+
+TEST_F(Told, TheSurfaceIsThatOfTheModelAlsoWithoutAView) {
+  acquire(3);
+  desk_.controller().leaveOut(desk_.controller().now()->scans[1].number);
+  const QString surface = areaText(area(desk_.controller().now()->model->mesh));
+  for (const auto* page : {"acquire", "review"}) {
+    desk_.window().wizard().goTo(QString::fromLatin1(page));
+    expectSaid(surface);
+  }
+  lookAt("left_out");
+}
+
+TEST_F(Told, RecordedScansAreNothingElse) {
+  QTemporaryDir folder(QDir::temp().filePath(QStringLiteral("recorded_XXXXXX")));
+  const QString file = folder.filePath("imported.vantage");
+  static_cast<void>(testing::importSmallScans(file.toStdString()));
+  desk_.controller().open(file);
+  lookAt("imported_review");
+  expectSaid("Recorded scans, put together.");
+  expectSaid("Nothing is planned from recorded scans");
+  expectSaid(areaText(area(desk_.controller().now()->model->mesh)));
+  for (const auto* page : {"choose", "check", "acquire", "review", "finish"}) {
+    desk_.window().wizard().goTo(QString::fromLatin1(page));
+    lookAt(QStringLiteral("imported_") + page);
+    expectNotSaid("Mug");
+    expectNotSaid("Rotating stripe");
+    for (const testing::PaintedText& painted : testing::paintedText(desk_.window())) EXPECT_NE(painted.text, "-1");
+    expectNotSaid("no position would show more");
+  }
 }
 
 TEST(PageText, EveryPageSaysWhatHappensNext) {

@@ -7,8 +7,13 @@
 #include <QTemporaryDir>
 #include <fstream>
 
+#include "charts/objective_chart.h"
+#include "ending_text.h"
 #include "io/mesh_writer.h"
+#include "position_inspector.h"
+#include "report/areas_known.h"
 #include "support/scenes/small_scene.h"
+#include "wording.h"
 
 namespace vantage {
 namespace {
@@ -40,6 +45,23 @@ class SessionControllerTest : public ::testing::Test {
     controller_->setChoice(choice(maxViews));
     controller_->prepare();
   }
+
+  // A scan from the far side of the first one, which shares no surface with it.
+  void failAScan() {
+    prepare(5);
+    controller_->step();
+    controller_->choosePosition(kFarSide);
+    controller_->step();
+    ASSERT_EQ(controller_->now()->scans.back().status, ScanStatus::Rejected);
+  }
+
+  // A session of recorded scans without a scanner, as the command line imports them.
+  [[nodiscard]] QString importedSession() const {
+    static_cast<void>(testing::importSmallScans(path("imported.vantage").toStdString()));
+    return path("imported.vantage");
+  }
+
+  static constexpr int kFarSide = 12;
 
   static QByteArray bytesOf(const QString& name) {
     QFile file(name);
@@ -280,6 +302,160 @@ TEST_F(SessionControllerTest, WritesTheReport) {
   controller_->step();
   controller_->writeReport(path("report.html"), [](const AcquisitionState&) { return HtmlReportOptions{}; });
   EXPECT_TRUE(bytesOf(path("report.html")).contains("</html>"));
+}
+
+TEST_F(SessionControllerTest, TheTableStandsWhereTheLastScanWasTakenWhateverBecameOfIt) {
+  failAScan();
+  EXPECT_EQ(controller_->tablePosition(), kFarSide);
+  EXPECT_NEAR(controller_->turnTo(kFarSide + 1)->turn.angle, -radians(15.0), 1e-9);
+  controller_->undo();
+  EXPECT_EQ(controller_->tablePosition(), kFarSide);
+  EXPECT_NEAR(controller_->turnTo(kFarSide)->turn.angle, 0.0, 1e-9);
+}
+
+TEST_F(SessionControllerTest, ALeftOutViewDoesNotMoveTheTable) {
+  prepare();
+  controller_->step();
+  controller_->step();
+  const auto table = controller_->tablePosition();
+  ASSERT_NE(table, 0);
+  controller_->leaveOut(controller_->now()->scans.back().number);
+  EXPECT_EQ(controller_->tablePosition(), table);
+}
+
+TEST_F(SessionControllerTest, AssistedNothingRunsByItself) {
+  prepare();
+  controller_->setMode(Mode::Assisted);
+  QSignalSpy refused(controller_.get(), &SessionController::refused);
+  controller_->run();
+  EXPECT_FALSE(controller_->hasSession());
+  ASSERT_EQ(refused.count(), 1);
+  EXPECT_EQ(refused[0][0].toString(), controller_->whyNotRun());
+  controller_->step();
+  EXPECT_EQ(countScans(*controller_->now(), ScanStatus::In), 1U);
+}
+
+TEST_F(SessionControllerTest, TheModeIsKeptInTheSession) {
+  prepare();
+  controller_->setMode(Mode::Assisted);
+  controller_->step();
+  const QString session = controller_->sessionPath();
+  controller_ = nullptr;
+  controller_ = make();
+  controller_->open(session);
+  EXPECT_EQ(controller_->mode(), Mode::Assisted);
+}
+
+TEST_F(SessionControllerTest, EndingHereSaysWhoEndedItAndWhatAFurtherViewWouldShow) {
+  prepare();
+  controller_->step();
+  const int proposed = controller_->nextPosition().value();
+  controller_->endHere();
+  const QString ending = endingText(*controller_->now());
+  EXPECT_TRUE(ending.startsWith("Ended by you. Position " + QString::number(proposed) + " would still show "))
+      << ending.toStdString();
+  EXPECT_EQ(controller_->moments().back().text, ending);
+  controller_->writeReport(path("report.html"), [](const AcquisitionState&) { return HtmlReportOptions{}; });
+  const QByteArray report = bytesOf(path("report.html"));
+  EXPECT_TRUE(report.contains("Ended by the operator. A view from position " + QByteArray::number(proposed)));
+  EXPECT_FALSE(report.contains("no position would show more"));
+}
+
+TEST_F(SessionControllerTest, GoesOnAfterAnEndThatTheOperatorWanted) {
+  prepare();
+  controller_->step();
+  const int proposed = controller_->nextPosition().value();
+  controller_->endHere();
+  EXPECT_FALSE(controller_->nextPosition());
+  EXPECT_EQ(controller_->furtherPosition(), proposed);
+  EXPECT_EQ(controller_->whyNotRun(), "");
+  controller_->step();
+  EXPECT_EQ(controller_->now()->scans.back().station().position, proposed);
+}
+
+TEST_F(SessionControllerTest, GoesOnBeyondTheGreatestNumberOfViews) {
+  prepare(2);
+  controller_->run();
+  ASSERT_EQ(controller_->now()->termination, Termination::MaxViews);
+  EXPECT_TRUE(endingText(*controller_->now()).contains("would still show"));
+  EXPECT_TRUE(controller_->whyNotRun().contains("Allow more"));
+  const auto further = controller_->furtherPosition();
+  controller_->allowMoreViews(1);
+  EXPECT_EQ(controller_->nextPosition(), further);
+  controller_->run();
+  EXPECT_EQ(countScans(*controller_->now(), ScanStatus::In), 3U);
+}
+
+TEST_F(SessionControllerTest, AFailedScanIsTold) {
+  failAScan();
+  const QString told = failedScanText(*controller_->now());
+  const RegistrationResult& registration = controller_->now()->scans.back().record.registration;
+  EXPECT_TRUE(told.contains("from position 12 did not fit: " + findingText(registration.finding)));
+  EXPECT_TRUE(told.contains("take position 12 once more"));
+  EXPECT_TRUE(controller_->moments().back().text.contains("did not fit"));
+}
+
+// What the panes take their next position from: the page, the views, the answer to why.
+TEST_F(SessionControllerTest, AfterAFailedScanEverybodySpeaksOfTheSameNextPosition) {
+  failAScan();
+  const SharedState now = controller_->now();
+  const auto next = controller_->nextPosition();
+  ASSERT_TRUE(next);
+  EXPECT_EQ(makeSnapshot(now)->next, next);
+  EXPECT_EQ(objectiveChartData(*makeSnapshot(now)).chosen, next);
+  EXPECT_EQ(controller_->proposedPosition(), next);
+  EXPECT_EQ(roleOf(*now, *next), *next == now->plan->position ? PositionRole::Proposed : PositionRole::AfterFailure);
+  EXPECT_EQ(roleOf(*now, kFarSide), PositionRole::Failed);
+  controller_->step();
+  EXPECT_EQ(controller_->now()->scans.back().station().position, next);
+}
+
+TEST_F(SessionControllerTest, EverybodySpeaksOfThePositionThatTheOperatorTook) {
+  prepare();
+  controller_->step();
+  const int proposed = controller_->nextPosition().value();
+  const int mine = (proposed + 2) % 24;
+  controller_->choosePosition(mine);
+  const SharedState now = controller_->now();
+  const ObjectiveChartData chart = objectiveChartData(*makeSnapshot(now));
+  EXPECT_EQ(chart.chosen, mine);
+  EXPECT_TRUE(chart.operatorsChoice);
+  EXPECT_EQ(roleOf(*now, mine), PositionRole::OperatorsChoice);
+  EXPECT_NE(roleOf(*now, proposed), PositionRole::OperatorsChoice);
+  EXPECT_EQ(controller_->proposedPosition(), proposed);
+}
+
+TEST_F(SessionControllerTest, RecordedScansAreShownAsWhatTheyAre) {
+  controller_->open(importedSession());
+  ASSERT_TRUE(controller_->hasSession()) << failure_.toStdString();
+  EXPECT_EQ(controller_->page(), "review");
+  EXPECT_TRUE(endingText(*controller_->now()).startsWith("Recorded scans, put together."));
+  EXPECT_FALSE(controller_->nextPosition());
+  EXPECT_FALSE(controller_->furtherPosition());
+  EXPECT_FALSE(controller_->tablePosition());
+  EXPECT_TRUE(controller_->whyNot(ChoosePosition{0}).startsWith("These are recorded scans"));
+  EXPECT_FALSE(controller_->whyNotScan().isEmpty());
+  EXPECT_TRUE(objectiveChartData(*makeSnapshot(controller_->now())).recorded);
+  for (const KeptScan& scan : controller_->now()->scans) EXPECT_FALSE(areasKnown(scan.record));
+}
+
+TEST_F(SessionControllerTest, WhatCannotBeDoneIsRefusedAloud) {
+  QSignalSpy refused(controller_.get(), &SessionController::refused);
+  controller_->run();
+  controller_->step();
+  controller_->pause();
+  controller_->stop();
+  controller_->undo();
+  controller_->redo();
+  controller_->endHere();
+  controller_->choosePosition(1);
+  controller_->leaveOut(1);
+  controller_->takeBack(1);
+  controller_->allowMoreViews(1);
+  controller_->startTestTurn();
+  controller_->exportModel(path("none.stl"));
+  EXPECT_EQ(refused.count(), 13);
+  for (const auto& why : refused) EXPECT_TRUE(why[0].toString().endsWith('.')) << why[0].toString().toStdString();
 }
 
 }  // namespace

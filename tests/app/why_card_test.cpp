@@ -36,9 +36,9 @@ std::shared_ptr<const Plan> makePlan() {
   return plan;
 }
 
-WhyCard cardOf(int position) {
+WhyCard cardOf(int position, PositionRole role = PositionRole::None, bool planHolds = true) {
   const auto plan = makePlan();
-  return makeWhyCard({explain(*plan, position), plan, nullptr, nullptr});
+  return makeWhyCard({explain(*plan, position), plan, nullptr, nullptr, role, planHolds});
 }
 
 const WhyFigure* find(const std::vector<WhyFigure>& figures, const QString& name) {
@@ -47,10 +47,10 @@ const WhyFigure* find(const std::vector<WhyFigure>& figures, const QString& name
   return nullptr;
 }
 
-TEST(WhyCard, SaysWhatTheChosenPositionWinsAndWhatRegistrationWillBeWorth) {
+TEST(WhyCard, SaysWhatTheProposedPositionWinsAndWhatRegistrationWillBeWorth) {
   const WhyCard card = cardOf(1);
   EXPECT_EQ(card.title, "Position 1");
-  EXPECT_TRUE(card.verdict.startsWith("Chosen"));
+  EXPECT_TRUE(card.verdict.startsWith("Proposed"));
   EXPECT_EQ(find(card.figures, "o_v")->value, "620\u00a0mm²");
   EXPECT_EQ(find(card.figures, "by positional space")->value, "600\u00a0mm²");
   EXPECT_EQ(find(card.figures, "o_s")->value, "800\u00a0mm²");
@@ -66,11 +66,11 @@ TEST(WhyCard, NamesTheConstraintThatBindsAndByHowMuch) {
   EXPECT_TRUE(card.verdict.contains("overlap"));
   EXPECT_TRUE(card.verdict.contains("short by 50.0\u00a0mm²"));
   EXPECT_TRUE(find(card.figures, "o_s")->remark.contains("t = 200\u00a0mm²"));
-  EXPECT_EQ(card.comparison, "The chosen position 1 shows 280\u00a0mm² less and overlaps 650\u00a0mm² more.");
+  EXPECT_EQ(card.comparison, "The proposed position 1 shows 280\u00a0mm² less and overlaps 650\u00a0mm² more.");
 }
 
 TEST(WhyCard, ComparesAnAllowedPositionWithTheChoice) {
-  EXPECT_EQ(cardOf(2).comparison, "The chosen position 1 shows 170\u00a0mm² more and overlaps 200\u00a0mm² less.");
+  EXPECT_EQ(cardOf(2).comparison, "The proposed position 1 shows 170\u00a0mm² more and overlaps 200\u00a0mm² less.");
 }
 
 TEST(WhyCard, AddsWhatKeepsPatchesFromSightOnceItIsComputed) {
@@ -91,6 +91,20 @@ TEST(WhyCard, SaysWhenNothingElseIsAllowed) {
   auto plan = std::make_shared<Plan>(*makePlan());
   plan->scores[2].constraint = Constraint::BelowThreshold;
   EXPECT_EQ(makeWhyCard({explain(*plan, 1), plan, nullptr, nullptr}).comparison, "No other position is allowed.");
+}
+
+TEST(WhyCard, SpeaksOfTheOperatorsChoiceAndWhatThePlanSaysOfIt) {
+  const WhyCard card = cardOf(0, PositionRole::OperatorsChoice);
+  EXPECT_TRUE(card.verdict.startsWith("Your choice: the next scan is taken from here. Rejected:"));
+  EXPECT_TRUE(card.comparison.startsWith("The proposed position 1"));
+}
+
+TEST(WhyCard, AfterAFailedScanTheNextPositionIsNotTheOneThatThePlanHadProposed) {
+  EXPECT_FALSE(cardOf(1, PositionRole::None, false).verdict.startsWith("Proposed"));
+  EXPECT_TRUE(cardOf(1, PositionRole::Failed, false).verdict.startsWith("A scan from here did not fit."));
+  const WhyCard next = cardOf(2, PositionRole::AfterFailure, false);
+  EXPECT_TRUE(next.verdict.startsWith("Next, as the scan before did not fit"));
+  EXPECT_TRUE(next.comparison.startsWith("Position 1, which the plan had proposed,"));
 }
 
 }  // namespace

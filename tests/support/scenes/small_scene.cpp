@@ -59,4 +59,17 @@ AcquisitionState runSmallSession(Session& session, const Acquisition::StepObserv
   return *session.state();
 }
 
+Session importSmallScans(const std::string& path) {
+  const Rig rig = simulation(smallObject(), smallProfile(), {1, true});
+  std::vector<RangeImage> images;
+  for (const int position : {0, 2, 4}) {
+    images.push_back(scanFrom(rig, position, {}));
+    images.back().station.position.reset();
+    images.back().poseKnownBy = PoseSource::Reported;
+  }
+  Session session = Session::create(path, {{}, {}, nullptr, nullptr});
+  Acquisition(session).importScans(std::move(images));
+  return session;
+}
+
 }  // namespace vantage::testing

@@ -30,4 +30,7 @@ namespace vantage::testing {
 AcquisitionState runSmallSession(Session& session, const Acquisition::StepObserver& observer = {},
                                  const Progress& progress = {});
 
+/// A new session of recorded scans of the small object, without a scanner.
+[[nodiscard]] Session importSmallScans(const std::string& path);
+
 }  // namespace vantage::testing
