@@ -92,8 +92,7 @@ std::string endingText(const AcquisitionState& state) {
 std::string summaryHtml(const AcquisitionState& state) {
   const AcquisitionSettings& settings = state.settings;
   const auto model = modelJson(state.model ? state.model->mesh : Mesh{});
-  std::string html = "<p>" + endingText(state) + "</p>
-<table>";
+  std::string html = "<p>" + endingText(state) + "</p>\n<table>";
   html +=
       row({"Object", escapedHtml(settings.simulation.object.empty() ? "recorded scans" : settings.simulation.object)});
   html += row({"Scanner", escapedHtml(state.profile ? state.profile->name : "none: recorded scans")});
