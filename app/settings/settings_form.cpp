@@ -19,6 +19,8 @@ namespace {
 QFormLayout* makeForm(QVBoxLayout& column) {
   auto* form = new QFormLayout;
   form->setContentsMargins(0, 0, 0, 0);
+  form->setRowWrapPolicy(QFormLayout::DontWrapRows);
+  form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
   column.addLayout(form);
   return form;
 }
@@ -112,6 +114,9 @@ void SettingsForm::add(const SettingField& field, QFormLayout& form) {
   });
   refreshers_.push_back(editor.refresh);
   editors_.push_back(editor.widget);
+  // As narrow as the page: a line is scrolled in its editor, not out of sight.
+  editor.widget->setMinimumWidth(1);
+  editor.widget->setSizePolicy(QSizePolicy::Ignored, editor.widget->sizePolicy().verticalPolicy());
   form.addRow(labelOf(field), editor.widget);
 }
 

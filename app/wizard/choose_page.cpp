@@ -83,6 +83,8 @@ QComboBox* ChoosePage::addFileRow(const QString& label, const QString& name, con
   box->setAccessibleName(label);
   box->setToolTip(help);
   box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  // A long placeholder must not widen the page.
+  box->setMinimumWidth(80);
   QToolButton* browse = browseButton(tr("Take another file"));
   connect(browse, &QToolButton::clicked, this, [this, box, label, filter] {
     const QString path =
@@ -122,6 +124,7 @@ void ChoosePage::build() {
 
   addSection(tr("Options"));
   form_ = new SettingsForm;
+  form_->setMinimumWidth(1);
   connect(form_, &SettingsForm::edited, this, [this] { emit changed(); });
   column().addWidget(form_);
   column().addStretch();

@@ -47,9 +47,10 @@ ReviewPage::ReviewPage(SessionController& controller, QWidget* parent)
   addSection(tr("What is left, and why"));
   column().addWidget(left_);
   addSection(tr("Views"));
-  views_->setHorizontalHeaderLabels({tr("Scan"), tr("Position"), tr("New mm²"), tr("Fit mm"), tr("Verdict")});
+  views_->setHorizontalHeaderLabels({tr("Scan"), tr("Pos."), tr("New mm²"), tr("Fit mm"), tr("Verdict")});
   views_->verticalHeader()->hide();
-  views_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+  views_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  views_->horizontalHeader()->setStretchLastSection(true);
   views_->setSelectionBehavior(QAbstractItemView::SelectRows);
   views_->setSelectionMode(QAbstractItemView::SingleSelection);
   views_->setEditTriggers(QAbstractItemView::NoEditTriggers);
