@@ -4,6 +4,7 @@
 
 #include "acquisition/further_scan.h"
 #include "planning/choice.h"
+#include "report/wording.h"
 #include "why_card.h"
 #include "wording.h"
 
@@ -43,7 +44,7 @@ QString endingText(const AcquisitionState& state) {
 
 QString failedScanText(std::int64_t number, std::optional<int> position, const Finding& finding) {
   const QString where = position ? Text::tr(" from position %1").arg(*position) : QString();
-  return Text::tr("Scan %1%2 did not fit: %3.").arg(QString::number(number), where, findingText(finding));
+  return Text::tr("Scan %1%2 did not fit: %3.").arg(QString::number(number), where, translated(phraseOf(finding)));
 }
 
 QString failedScanText(const AcquisitionState& state) {

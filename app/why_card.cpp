@@ -4,6 +4,7 @@
 #include <QLocale>
 #include <cmath>
 
+#include "report/wording.h"
 #include "wording.h"
 
 namespace vantage {
@@ -71,7 +72,7 @@ void addRegistration(WhyCard& card, const Explanation& why) {
   const QString sigma =
       std::isfinite(*why.poseSigma) ? figureText(*why.poseSigma, 3) + Text::tr(" mm") : Text::tr("unbounded");
   card.figures.push_back(
-      {Text::tr("Registration error"), sigma, Text::tr("weakest: %1").arg(weakMotionsText(why.weakMotions))});
+      {Text::tr("Registration error"), sigma, Text::tr("weakest: %1").arg(translated(phraseOf(why.weakMotions)))});
 }
 
 void addPatches(WhyCard& card, const Explanation& why) {

@@ -2,6 +2,7 @@
 
 #include <QCoreApplication>
 
+#include "report/wording.h"
 #include "why_card.h"
 
 namespace vantage {
@@ -11,104 +12,29 @@ struct Text {
   Q_DECLARE_TR_FUNCTIONS(Wording)
 };
 
-QString axisText(const Vec3& axis) {
-  for (int k = 0; k < 3; ++k)
-    if (axis == Vec3::Unit(k)) return QString(QLatin1Char("xyz"[k]));
-  return QStringLiteral("(%1, %2, %3)").arg(figureText(axis.x(), 1), figureText(axis.y(), 1), figureText(axis.z(), 1));
-}
-
-QString weakMotionText(const WeakMotion& motion) {
-  switch (motion.kind) {
-    case WeakMotion::Kind::Slide:
-      return Text::tr("slides along %1").arg(axisText(motion.axis));
-    case WeakMotion::Kind::Turn:
-      return Text::tr("turns about %1").arg(axisText(motion.axis));
-    case WeakMotion::Kind::Free:
-      break;
-  }
-  return Text::tr("moves freely");
-}
-
-QString textOf(const ChangeSettings& /*command*/) {
-  return Text::tr("Set-up changed");
-}
-QString textOf(const AddScan& command) {
-  return Text::tr("Scan %1 added").arg(command.scan);
-}
-QString textOf(const ImportScans& command) {
-  return Text::tr("%1 recorded scans imported").arg(command.scans.size());
-}
-QString textOf(const ChoosePosition& command) {
-  return command.position ? Text::tr("Position %1 chosen").arg(*command.position)
-                          : Text::tr("Proposed position taken again");
-}
-QString textOf(const LeaveOutView& command) {
-  return Text::tr("Scan %1 left out").arg(command.scan);
-}
-QString textOf(const TakeBackView& command) {
-  return Text::tr("Scan %1 taken back").arg(command.scan);
-}
-QString textOf(const Finish& command) {
-  return command.termination == Termination::Running ? Text::tr("Opened again") : terminationText(command.termination);
-}
-QString textOf(const TakeOver& /*command*/) {
-  return Text::tr("Taken over from an earlier version");
-}
-QString textOf(const TurnObject& /*command*/) {
-  return Text::tr("Object turned over");
-}
-QString textOf(const PlaceStand& command) {
-  return Text::tr("Stand %1 placed").arg(command.stand);
-}
-QString textOf(const ChangeMode& command) {
-  return command.mode == Mode::Automatic ? Text::tr("Automatic from here") : Text::tr("Assisted from here");
-}
-
 }  // namespace
 
-QString weakMotionsText(const WeakMotions& motions) {
+QString translated(const Phrase& phrase) {
+  if (phrase.pattern == nullptr)
+    return phrase.text.empty() ? figureText(phrase.number, phrase.decimals) : QString::fromStdString(phrase.text);
+  const QString pattern = QCoreApplication::translate("Phrase", phrase.pattern);
   QString text;
-  for (const WeakMotion& motion : motions)
-    text = text.isEmpty() ? weakMotionText(motion) : Text::tr("%1 and %2").arg(text, weakMotionText(motion));
+  for (qsizetype i = 0; i < pattern.size(); ++i) {
+    const int place = pattern[i] == u'%' && i + 1 < pattern.size() ? pattern[i + 1].digitValue() : 0;
+    if (place < 1 || place > static_cast<int>(phrase.values.size())) {
+      text += pattern[i];
+    } else {
+      text += translated(phrase.values[static_cast<std::size_t>(place - 1)]);
+      ++i;
+    }
+  }
   return text;
 }
 
-QString findingText(const Finding& finding) {
-  const double value = finding.value.value_or(0.0);
-  switch (finding.reason) {
-    case VerdictReason::NotRegistered:
-      return Text::tr("not registered");
-    case VerdictReason::FirstView:
-      return Text::tr("the first view defines the frame");
-    case VerdictReason::FirstImported:
-      return Text::tr("the first view is where the others go");
-    case VerdictReason::EarlierVersion:
-      return Text::tr("registered by an earlier version");
-    case VerdictReason::Inliers:
-      return Text::tr("%1 % of the expected overlap fits").arg(figureText(100.0 * value));
-    case VerdictReason::FewInliers:
-      return Text::tr("only %1 % of the expected overlap fits").arg(figureText(100.0 * value));
-    case VerdictReason::FewPairs:
-      return Text::tr("only %1 points overlap with the model").arg(figureText(value));
-    case VerdictReason::Conflicts:
-      return Text::tr("the scanner looked through %1 % of the model's surface").arg(figureText(100.0 * value));
-    case VerdictReason::Residual:
-      return Text::tr("the surfaces differ %1 times as much as their noise explains").arg(figureText(value, 1));
-    case VerdictReason::Motion:
-      return Text::tr("it moved %1 sigma away from where the mechanics put it").arg(figureText(value, 1));
-    case VerdictReason::Rival:
-      return Text::tr("a pose %1 mm away fits as well").arg(figureText(value, 1));
-    case VerdictReason::HeldByMechanics:
-      return Text::tr("the surface %1: that part of the pose is the mechanics' word alone")
-          .arg(weakMotionsText(finding.motions));
-    case VerdictReason::NotSettled:
-      return Text::tr("the pose had not come to rest when the iterations ran out");
-  }
-  return {};
-}
-
 QString commandText(const Command& command) {
-  return std::visit([](const auto& c) { return textOf(c); }, command);
+  const auto* finish = std::get_if<Finish>(&command);
+  const bool ended = finish != nullptr && finish->termination != Termination::Running;
+  return ended ? terminationText(finish->termination) : translated(phraseOf(command));
 }
 
 QString terminationText(Termination termination) {

@@ -3,20 +3,17 @@
 #include <QString>
 
 #include "acquisition/command.h"
+#include "base/phrase.h"
 #include "planning/plan.h"
-#include "registration/verdict.h"
 
 namespace vantage {
 
-/// What results mean, in the language of the window. The command line has its own words (report/wording.h).
+/// What results mean, in the language of the window.
 
-/// "slides along z and turns about z"; empty for none.
-[[nodiscard]] QString weakMotionsText(const WeakMotions& motions);
+/// What core has words for (see report/wording.h), with the window's figures.
+[[nodiscard]] QString translated(const Phrase& phrase);
 
-/// What a verdict rests on, as part of a sentence: "only 45 % of the expected overlap fits".
-[[nodiscard]] QString findingText(const Finding& finding);
-
-/// One line for a command: "Scan 3 added".
+/// One line for a command: "Scan 3 added"; an end as terminationText has it.
 [[nodiscard]] QString commandText(const Command& command);
 
 /// Why an acquisition ended, as a sentence.

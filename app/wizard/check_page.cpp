@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "form_parts.h"
+#include "report/wording.h"
 #include "why_card.h"
 #include "wizard/volume_sketch.h"
 #include "wording.h"
@@ -100,7 +101,7 @@ void CheckPage::refreshTestTurn() {
   turnFigures_->add(tr("Turn measured"), figureText(degrees(result->measured), 2) + QStringLiteral("°"));
   turnFigures_->add(tr("Axis moved by"), figureText(result->axisOffset, 2) + tr(" mm"));
   const bool failed = result->registration.verdict == Verdict::Failed;
-  turnVerdict_->setText(failed ? tr("The scans do not fit: %1").arg(findingText(result->registration.finding))
+  turnVerdict_->setText(failed ? tr("The scans do not fit: %1").arg(translated(phraseOf(result->registration.finding)))
                                : tr("The scans fit. The table turns as expected."));
 }
 

@@ -9,6 +9,7 @@
 #include "geometry/measures.h"
 #include "report/areas_known.h"
 #include "report/edges_left.h"
+#include "report/wording.h"
 #include "why_card.h"
 #include "wording.h"
 
@@ -135,7 +136,7 @@ void ReviewPage::addScan(const KeptScan& scan) {
   for (int column = 0; column < 5; ++column) {
     auto* item = new QTableWidgetItem(texts[column]);
     item->setTextAlignment((column < 4 ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
-    item->setToolTip(findingText(registration.finding));
+    item->setToolTip(translated(phraseOf(registration.finding)));
     views_->setItem(row, column, item);
   }
   views_->item(row, 0)->setData(kScanRole, static_cast<qlonglong>(scan.number));

@@ -1,116 +1,112 @@
 #include "report/wording.h"
 
-#include <array>
-#include <cstdio>
+#include <string>
+#include <utility>
 
 namespace vantage {
 namespace {
 
-std::string rounded(double value, int decimals) {
-  std::array<char, 48> text{};
-  std::snprintf(text.data(), text.size(), "%.*f", decimals, value);
-  return text.data();
-}
-
-std::string axisText(const Vec3& axis) {
+Phrase axisPhrase(const Vec3& axis) {
   for (int k = 0; k < 3; ++k)
-    if (axis == Vec3::Unit(k)) return std::string(1, "xyz"[k]);
-  std::array<char, 96> text{};
-  std::snprintf(text.data(), text.size(), "(%.1f, %.1f, %.1f)", axis.x(), axis.y(), axis.z());
-  return text.data();
+    if (axis == Vec3::Unit(k)) return asIs(std::string(1, "xyz"[k]));
+  return words("(%1, %2, %3)", {figure(axis.x(), 1), figure(axis.y(), 1), figure(axis.z(), 1)});
 }
 
-std::string described(const ChangeSettings& /*command*/) {
-  return "Set-up changed";
+// One overload for each kind of command.
+Phrase phraseFor(const ChangeSettings& /*command*/) {
+  return words("Set-up changed");
 }
-std::string described(const AddScan& command) {
-  return "Scan " + std::to_string(command.scan) + " added";
+Phrase phraseFor(const AddScan& command) {
+  return words("Scan %1 added", {asIs(std::to_string(command.scan))});
 }
-std::string described(const ImportScans& command) {
-  return std::to_string(command.scans.size()) + " recorded scans imported";
+Phrase phraseFor(const ImportScans& command) {
+  return words("%1 recorded scans imported", {asIs(std::to_string(command.scans.size()))});
 }
-std::string described(const ChoosePosition& command) {
-  return command.position ? "Position " + std::to_string(*command.position) + " chosen"
-                          : "Proposed position taken again";
+Phrase phraseFor(const ChoosePosition& command) {
+  return command.position ? words("Position %1 chosen", {asIs(std::to_string(*command.position))})
+                          : words("Proposed position taken again");
 }
-std::string described(const LeaveOutView& command) {
-  return "Scan " + std::to_string(command.scan) + " left out";
+Phrase phraseFor(const LeaveOutView& command) {
+  return words("Scan %1 left out", {asIs(std::to_string(command.scan))});
 }
-std::string described(const TakeBackView& command) {
-  return "Scan " + std::to_string(command.scan) + " taken back";
+Phrase phraseFor(const TakeBackView& command) {
+  return words("Scan %1 taken back", {asIs(std::to_string(command.scan))});
 }
-std::string described(const Finish& command) {
-  return command.termination == Termination::Running ? "Opened again"
-                                                     : "Ended: " + std::string(name(command.termination));
+Phrase phraseFor(const Finish& command) {
+  return command.termination == Termination::Running
+             ? words("Opened again")
+             : words("Ended: %1", {asIs(std::string(name(command.termination)))});
 }
-std::string described(const TakeOver& /*command*/) {
-  return "Taken over from an earlier version";
+Phrase phraseFor(const TakeOver& /*command*/) {
+  return words("Taken over from an earlier version");
 }
-std::string described(const TurnObject& /*command*/) {
-  return "Object turned over";
+Phrase phraseFor(const TurnObject& /*command*/) {
+  return words("Object turned over");
 }
-std::string described(const PlaceStand& command) {
-  return "Stand " + std::to_string(command.stand) + " placed";
+Phrase phraseFor(const PlaceStand& command) {
+  return words("Stand %1 placed", {asIs(std::to_string(command.stand))});
 }
-std::string described(const ChangeMode& command) {
-  return command.mode == Mode::Automatic ? "Automatic from here" : "Assisted from here";
+Phrase phraseFor(const ChangeMode& command) {
+  return command.mode == Mode::Automatic ? words("Automatic from here") : words("Assisted from here");
 }
 
 }  // namespace
 
-std::string describe(const WeakMotion& motion) {
+Phrase phraseOf(const WeakMotion& motion) {
   switch (motion.kind) {
     case WeakMotion::Kind::Slide:
-      return "slides along " + axisText(motion.axis);
+      return words("slides along %1", {axisPhrase(motion.axis)});
     case WeakMotion::Kind::Turn:
-      return "turns about " + axisText(motion.axis);
+      return words("turns about %1", {axisPhrase(motion.axis)});
     case WeakMotion::Kind::Free:
       break;
   }
-  return "moves freely";
+  return words("moves freely");
 }
 
-std::string describe(const WeakMotions& motions) {
-  std::string text;
-  for (const WeakMotion& motion : motions) text += (text.empty() ? "" : " and ") + describe(motion);
-  return text;
+Phrase phraseOf(const WeakMotions& motions) {
+  if (motions.empty()) return words("");
+  Phrase phrase = phraseOf(motions.front());
+  for (std::size_t i = 1; i < motions.size(); ++i)
+    phrase = words("%1 and %2", {std::move(phrase), phraseOf(motions[i])});
+  return phrase;
 }
 
-std::string describe(const Finding& finding) {
+Phrase phraseOf(const Finding& finding) {
   const double value = finding.value.value_or(0.0);
   switch (finding.reason) {
     case VerdictReason::NotRegistered:
-      return "not registered";
+      return words("not registered");
     case VerdictReason::FirstView:
-      return "the first view defines the frame";
+      return words("the first view defines the frame");
     case VerdictReason::FirstImported:
-      return "the first view is where the others go";
+      return words("the first view is where the others go");
     case VerdictReason::EarlierVersion:
-      return "registered by an earlier version";
+      return words("registered by an earlier version");
     case VerdictReason::Inliers:
-      return rounded(100.0 * value, 0) + " % of the expected overlap fits";
+      return words("%1 % of the expected overlap fits", {figure(100.0 * value)});
     case VerdictReason::FewInliers:
-      return "only " + rounded(100.0 * value, 0) + " % of the expected overlap fits";
+      return words("only %1 % of the expected overlap fits", {figure(100.0 * value)});
     case VerdictReason::FewPairs:
-      return "only " + rounded(value, 0) + " points overlap with the model";
+      return words("only %1 points overlap with the model", {figure(value)});
     case VerdictReason::Conflicts:
-      return "the scanner looked through " + rounded(100.0 * value, 0) + " % of the model's surface";
+      return words("the scanner looked through %1 % of the model's surface", {figure(100.0 * value)});
     case VerdictReason::Residual:
-      return "the surfaces differ " + rounded(value, 1) + " times as much as their noise explains";
+      return words("the surfaces differ %1 times as much as their noise explains", {figure(value, 1)});
     case VerdictReason::Motion:
-      return "it moved " + rounded(value, 1) + " sigma away from where the mechanics put it";
+      return words("it moved %1 sigma away from where the mechanics put it", {figure(value, 1)});
     case VerdictReason::Rival:
-      return "a pose " + rounded(value, 1) + " mm away fits as well";
+      return words("a pose %1 mm away fits as well", {figure(value, 1)});
     case VerdictReason::HeldByMechanics:
-      return "the surface " + describe(finding.motions) + ": that part of the pose is the mechanics' word alone";
+      return words("the surface %1: that part of the pose is the mechanics' word alone", {phraseOf(finding.motions)});
     case VerdictReason::NotSettled:
-      return "the pose had not come to rest when the iterations ran out";
+      return words("the pose had not come to rest when the iterations ran out");
   }
-  return {};
+  return words("");
 }
 
-std::string describe(const Command& command) {
-  return std::visit([](const auto& c) { return described(c); }, command);
+Phrase phraseOf(const Command& command) {
+  return std::visit([](const auto& c) { return phraseFor(c); }, command);
 }
 
 std::string_view sentenceOf(Termination termination) {

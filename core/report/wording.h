@@ -5,24 +5,35 @@
 
 #include "acquisition/command.h"
 #include "acquisition/phase_times.h"
+#include "base/phrase.h"
 #include "planning/plan.h"
 #include "registration/verdict.h"
 
 namespace vantage {
 
-/// What results mean, in English: for the command line, its JSON and the HTML report. The window has its own words.
+/// What results mean, in words: in English for the command line, its JSON and the HTML report, translated in the
+/// window.
 
 /// "slides along z", "turns about (0.7, 0.7, 0.0)", "moves freely".
-[[nodiscard]] std::string describe(const WeakMotion& motion);
+[[nodiscard]] Phrase phraseOf(const WeakMotion& motion);
 
 /// The motions joined by "and"; empty for none.
-[[nodiscard]] std::string describe(const WeakMotions& motions);
+[[nodiscard]] Phrase phraseOf(const WeakMotions& motions);
 
 /// What a verdict rests on, as part of a sentence: "only 45 % of the expected overlap fits".
-[[nodiscard]] std::string describe(const Finding& finding);
+[[nodiscard]] Phrase phraseOf(const Finding& finding);
 
 /// One line for a command: "Scan 3 added".
-[[nodiscard]] std::string describe(const Command& command);
+[[nodiscard]] Phrase phraseOf(const Command& command);
+
+/// The same in English.
+template <typename Result>
+requires requires(const Result& result) {
+  phraseOf(result);
+}
+[[nodiscard]] std::string describe(const Result& result) {
+  return english(phraseOf(result));
+}
 
 /// Why an acquisition ended, as a sentence.
 [[nodiscard]] std::string_view sentenceOf(Termination termination);

@@ -12,6 +12,7 @@
 #include "io/mesh_writer.h"
 #include "position_inspector.h"
 #include "report/areas_known.h"
+#include "report/wording.h"
 #include "support/scenes/small_scene.h"
 #include "wording.h"
 
@@ -390,7 +391,7 @@ TEST_F(SessionControllerTest, AFailedScanIsTold) {
   failAScan();
   const QString told = failedScanText(*controller_->now());
   const RegistrationResult& registration = controller_->now()->scans.back().record.registration;
-  EXPECT_TRUE(told.contains("from position 12 did not fit: " + findingText(registration.finding)));
+  EXPECT_TRUE(told.contains("from position 12 did not fit: " + translated(phraseOf(registration.finding))));
   EXPECT_TRUE(told.contains("take position 12 once more"));
   EXPECT_TRUE(controller_->moments().back().text.contains("did not fit"));
 }

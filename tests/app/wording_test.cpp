@@ -12,10 +12,10 @@ TEST(WindowWording, FindingsReadAsOnTheCommandLine) {
   const WeakMotions motions{{WeakMotion::Kind::Slide, Vec3(0.7, 0.7, 0.0)}, {WeakMotion::Kind::Turn, Vec3::UnitZ()}};
   for (int i = 0; i <= static_cast<int>(kLastVerdictReason); ++i) {
     const Finding finding{static_cast<VerdictReason>(i), 0.87, motions};
-    EXPECT_EQ(findingText(finding).toStdString(), describe(finding));
+    EXPECT_EQ(translated(phraseOf(finding)).toStdString(), describe(finding));
   }
-  EXPECT_EQ(weakMotionsText({WeakMotion{}}), "moves freely");
-  EXPECT_EQ(weakMotionsText({}), "");
+  EXPECT_EQ(translated(phraseOf(WeakMotions{WeakMotion{}})), "moves freely");
+  EXPECT_EQ(translated(phraseOf(WeakMotions{})), "");
 }
 
 TEST(WindowWording, CommandsReadAsOnTheCommandLine) {
