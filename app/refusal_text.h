@@ -2,7 +2,7 @@
 
 #include <QString>
 
-#include "acquisition/may_do.h"
+#include "acquisition/refusal.h"
 
 namespace vantage {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "acquisition/may_do.h"
+#include "acquisition/refusal.h"
 
 namespace vantage {
 

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "base/errors.h"
+#include "session/command_json.h"
 #include "session/session_json.h"
 
 namespace vantage {

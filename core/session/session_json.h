@@ -1,10 +1,8 @@
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
 
-#include "acquisition/command.h"
 #include "acquisition/history.h"
 
 namespace vantage {
@@ -13,10 +11,6 @@ namespace vantage {
 /// last bit; what is infinite is null. Readers take nothing on trust: @throws InvalidInput naming `what`.
 [[nodiscard]] std::string settingsText(const AcquisitionSettings& settings);
 [[nodiscard]] AcquisitionSettings settingsFromText(const std::string& text, const std::string& what);
-
-/// What a command says beyond its kind (see kindOf).
-[[nodiscard]] std::string commandText(const Command& command);
-[[nodiscard]] Command commandFromText(std::string_view kind, const std::string& text, const std::string& what);
 
 /// The stands as a list of poses T_object_table (12 numbers; null: not known).
 [[nodiscard]] std::string standsText(const std::vector<Stand>& stands);

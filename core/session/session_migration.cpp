@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/errors.h"
+#include "session/command_json.h"
 #include "session/earlier_endings.h"
 #include "session/session_json.h"
 #include "session/session_schema.h"

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/errors.h"
+#include "session/command_json.h"
 #include "session/session_blobs.h"
 #include "session/session_json.h"
 

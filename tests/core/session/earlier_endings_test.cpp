@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "session/command_json.h"
 #include "session/session_json.h"
 #include "session/session_schema.h"
 

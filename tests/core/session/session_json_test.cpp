@@ -30,48 +30,7 @@ TEST(JsonFields, AreOfAnObjectThatIsNotNestedWithoutEnd) {
   expectError<InvalidInput>([&] { static_cast<void>(jsonObject(deep, "record 2")); }, {"record 2", "too deep"});
 }
 
-// Every kind of command, with a value that is not the one it has anyway.
-std::vector<Command> someCommands() {
-  Pose pose = Pose::Identity();
-  pose.translate(Vec3(0.1, -2.0 / 3.0, 30.0));
-  AcquisitionSettings settings;
-  settings.simulation.seed = std::numeric_limits<std::uint64_t>::max();
-  settings.planner.tolerance = 0.1;
-  settings.strategy = parseStrategy("uniform:7");
-  PositionScore predicted;
-  predicted.position = 4;
-  predicted.voidArea = 1.0 / 3.0;
-  predicted.patches = {3, 5};
-  return {ChangeSettings{settings},
-          AddScan{5, predicted},
-          ImportScans{{0, 2}},
-          ChoosePosition{3},
-          ChoosePosition{},
-          LeaveOutView{1},
-          TakeBackView{2},
-          Finish{Termination::EndedByOperator},
-          TakeOver{},
-          TurnObject{pose},
-          TurnObject{},
-          PlaceStand{1, pose},
-          ChangeMode{Mode::Assisted}};
-}
-
-TEST(SessionJson, EveryCommandComesBackToTheLastBit) {
-  for (const Command& command : someCommands()) {
-    const std::string text = commandText(command);
-    const Command read = commandFromText(kindOf(command), text, "step 1");
-    EXPECT_EQ(read.index(), command.index());
-    EXPECT_EQ(commandText(read), text);
-  }
-  EXPECT_FALSE(std::get<ChoosePosition>(commandFromText("choose_position", R"({"position": -1})", "step 1")).position);
-  const Command read = commandFromText("turn_object", commandText(someCommands()[9]), "step 1");
-  EXPECT_EQ(std::get<TurnObject>(read).T_object_table->translation().y(), -2.0 / 3.0);
-}
-
-TEST(SessionJson, KindsAndNamesThatNobodyKnowsAreRefused) {
-  EXPECT_THROW(static_cast<void>(commandFromText("explode", "{}", "step 1")), InvalidInput);
-  EXPECT_THROW(static_cast<void>(commandFromText("finish", R"({"termination": "bored"})", "step 1")), InvalidInput);
+TEST(SessionJson, NamesThatNobodyKnowsAreRefused) {
   expectError<InvalidInput>([] { static_cast<void>(terminationFromName("bored", "step 1")); }, {"step 1"});
   expectError<InvalidInput>([] { static_cast<void>(scanStatusFromName("left out", "view 3")); }, {"view 3", "status"});
 }

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+namespace vantage {
+
+/// Why something cannot be done now.
+enum class RefusalReason : std::uint8_t {
+  NoProfile,       ///< without a scanner profile there are no positions
+  NoSuchPosition,  ///< number: the position
+  NoSuchStand,     ///< number: the stand
+  StandKnown,      ///< number: the stand, whose pose is known already
+  NotAView,        ///< number: the scan, which is no view of the model
+  OnlyView,        ///< number: the scan, which is the only view of the model
+  NotLeftOut,      ///< number: the scan, which was not left out
+  ScanUsed,        ///< number: the scan, which the session has already made something of
+  ScansBefore,     ///< recorded scans are imported into an empty session only
+  NoScans,         ///< an import of nothing
+  AlreadyEnded,    ///< the acquisition has ended already
+  NotEnded,        ///< the acquisition has not ended, so it cannot be opened again
+  NothingLeft,     ///< no position would show more than is worth a scan
+  LimitReached,    ///< the greatest number of views was taken: raise it to go on
+  NothingScanned,  ///< there is no scan yet
+  MeshesMade,      ///< the object and how scans become meshes cannot be changed once there are scans
+  Contradiction,   ///< settings contradict each other
+  NotReplayable,   ///< what an earlier version did cannot be done again
+  NothingToUndo,
+  NothingToRedo,
+  NothingToScanWith,  ///< the session has no devices: no scanner, or nothing that it could look at
+  StandUnknown,       ///< it must be said first how the object stands
+};
+inline constexpr RefusalReason kLastRefusalReason = RefusalReason::StandUnknown;
+/// A code: "no_profile", "no_such_position", ...
+[[nodiscard]] std::string_view name(RefusalReason reason);
+
+struct Refusal {
+  RefusalReason reason = RefusalReason::NoProfile;
+  std::optional<std::int64_t> number;  ///< of the position, scan or stand that it is about
+};
+
+}  // namespace vantage

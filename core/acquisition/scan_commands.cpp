@@ -1,0 +1,89 @@
+#include "acquisition/scan_commands.h"
+
+#include <string>
+#include <utility>
+
+#include "acquisition/command_tools.h"
+#include "acquisition/import_scans.h"
+#include "acquisition/step_options.h"
+#include "acquisition/steps.h"
+#include "base/errors.h"
+
+namespace vantage {
+namespace {
+
+using Answer = std::optional<Refusal>;
+
+void checkPosition(const AcquisitionState& state, const RangeImage& image) {
+  const std::optional<int> position = image.station.position;
+  const auto positions = static_cast<int>(state.profile->workspace.size());
+  if (!position || *position < 0 || *position >= positions)
+    throw InvalidInput((position ? "position " + std::to_string(*position) + " of the scan does not exist"
+                                 : std::string("the scan is of no position")) +
+                       ", the workspace has positions 0 to " + std::to_string(positions - 1));
+}
+
+}  // namespace
+
+Answer AddScan::mayDo(const AcquisitionState& state) const {
+  if (findScan(state, scan) != nullptr) return Refusal{RefusalReason::ScanUsed, scan};
+  return state.profile ? Answer() : Refusal{RefusalReason::NoProfile, {}};
+}
+
+AcquisitionState AddScan::carriedOut(const AcquisitionState& state, const CommandTools& tools) const {
+  PhaseTimer timer;
+  const Progress watched = timer.watch(tools.progress());
+  const auto image = tools.input().scan(scan);
+  checkPosition(state, *image);
+  AcquisitionState next = addScan(state, {scan, image}, predicted, stepOptionsFor(state), watched.part(0.0, 0.5));
+  next.chosenPosition.reset();
+  next.termination = Termination::Running;
+  if (next.scans.back().status != ScanStatus::In) return CommandTools::judged(std::move(next));
+  next = tools.planned(std::move(next), watched.part(0.5, 1.0));
+  ScanRecord& record = next.scans.back().record;
+  record.planAfter = next.plan;
+  record.seconds = timer.finish();
+  record.seconds.insert(tools.input().before.begin(), tools.input().before.end());
+  return CommandTools::judged(std::move(next));
+}
+
+Answer ImportScans::mayDo(const AcquisitionState& state) const {
+  if (!state.scans.empty()) return Refusal{RefusalReason::ScansBefore, {}};
+  return scans.empty() ? Refusal{RefusalReason::NoScans, {}} : Answer();
+}
+
+AcquisitionState ImportScans::carriedOut(const AcquisitionState& state, const CommandTools& tools) const {
+  std::vector<NumberedScan> numbered;
+  for (const std::int64_t scan : scans) numbered.push_back({scan, tools.input().scan(scan)});
+  return importScans(state, numbered, importOptionsFor(state), tools.progress());
+}
+
+Answer LeaveOutView::mayDo(const AcquisitionState& state) const {
+  const KeptScan* kept = findScan(state, scan);
+  if (kept == nullptr || kept->status != ScanStatus::In) return Refusal{RefusalReason::NotAView, scan};
+  return countScans(state, ScanStatus::In) == 1 ? Refusal{RefusalReason::OnlyView, scan} : Answer();
+}
+
+AcquisitionState LeaveOutView::carriedOut(const AcquisitionState& state, const CommandTools& tools) const {
+  return tools.replanned(withStatus(state, scan, ScanStatus::LeftOut, stepOptionsFor(state), tools.firstHalf()));
+}
+
+Answer TakeBackView::mayDo(const AcquisitionState& state) const {
+  const KeptScan* kept = findScan(state, scan);
+  const bool out = kept != nullptr && kept->status == ScanStatus::LeftOut;
+  return out ? Answer() : Refusal{RefusalReason::NotLeftOut, scan};
+}
+
+AcquisitionState TakeBackView::carriedOut(const AcquisitionState& state, const CommandTools& tools) const {
+  return tools.replanned(withStatus(state, scan, ScanStatus::In, stepOptionsFor(state), tools.firstHalf()));
+}
+
+Answer TakeOver::mayDo(const AcquisitionState& /*state*/) const {
+  return Refusal{RefusalReason::NotReplayable, {}};
+}
+
+AcquisitionState TakeOver::carriedOut(const AcquisitionState& state, const CommandTools& /*tools*/) const {
+  return state;
+}
+
+}  // namespace vantage
