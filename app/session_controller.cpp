@@ -8,6 +8,7 @@
 #include "io/atomic_file.h"
 #include "io/mesh_writer.h"
 #include "refusal_text.h"
+#include "report/loss_wording.h"
 #include "session_start.h"
 #include "wording.h"
 
@@ -103,7 +104,7 @@ void SessionController::adopt(const SessionPointer& session, const SharedSetUp& 
   setUp_ = setUp;
   choice_ = setUp->choice;
   page_ = page;
-  for (const std::string& loss : session->losses()) emit failed(QString::fromStdString(loss));
+  for (const Loss& loss : session->losses()) emit failed(translated(phraseOf(loss, session->path())));
   emit setUpChanged();
   emit sessionChanged();
 }

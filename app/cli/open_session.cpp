@@ -1,14 +1,16 @@
 #include "cli/open_session.h"
 
 #include "base/errors.h"
+#include "report/loss_wording.h"
 
 namespace vantage {
 namespace {
 
-// What was found to be lost after the first `known` sentences.
+// What was found to be lost after the first `known` losses.
 void tellLosses(const Session& session, std::size_t known, CommandContext& context) {
-  const std::vector<std::string> losses = session.losses();
-  for (std::size_t i = known; i < losses.size(); ++i) context.note("warning: " + losses[i]);
+  const std::vector<Loss> losses = session.losses();
+  for (std::size_t i = known; i < losses.size(); ++i)
+    context.note("warning: " + english(phraseOf(losses[i], session.path())));
 }
 
 }  // namespace

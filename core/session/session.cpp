@@ -121,7 +121,7 @@ struct Session::Parts {
   std::string path;
   SessionAccess access;
   std::optional<SessionLock> lock;
-  std::vector<std::string> losses;
+  std::vector<Loss> losses;
   SessionStore store;
   SessionStates states;
   History history;
@@ -179,7 +179,7 @@ Session Session::create(const std::string& path, const SessionStart& start) {
 
 Session Session::open(const std::string& path, SessionAccess access, const Progress& progress) {
   if (!std::filesystem::is_regular_file(path)) throw IoError(path, "is no session: there is no such file");
-  std::vector<std::string> losses;
+  std::vector<Loss> losses;
   std::unique_ptr<Parts> parts;
   if (access == SessionAccess::Read) {
     parts = std::make_unique<Parts>(path, access, std::nullopt, openSessionForReading(path, losses));
@@ -199,7 +199,7 @@ const std::string& Session::path() const {
   return parts_->path;
 }
 
-std::vector<std::string> Session::losses() const {
+std::vector<Loss> Session::losses() const {
   const std::lock_guard guard(parts_->mutex);
   return parts_->losses;
 }

@@ -8,6 +8,7 @@
 
 #include "acquisition/journal.h"
 #include "base/progress.h"
+#include "session/loss.h"
 
 namespace vantage {
 
@@ -44,8 +45,8 @@ class Session final : public Journal {
   ~Session() override;
 
   [[nodiscard]] const std::string& path() const;
-  /// One sentence for everything that was damaged, and for the copy that was made of it.
-  [[nodiscard]] std::vector<std::string> losses() const;
+  /// Everything that was damaged, and the copy that was made of it. What is read later may add to it.
+  [[nodiscard]] std::vector<Loss> losses() const;
 
   [[nodiscard]] const History& history() const override;
   /// The state at the cursor, and that after any entry of the history.

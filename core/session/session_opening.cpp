@@ -15,17 +15,17 @@ namespace {
 constexpr const char* kCopy = "damaged_copy";
 constexpr const char* kDamages = "damages";
 
-// What of a sound database cannot be read.
-std::vector<std::string> damagedScans(SessionStore& store) {
-  std::vector<std::string> losses = store.history().losses;
+// How much of a sound database cannot be read.
+std::size_t countDamages(SessionStore& store) {
+  std::size_t damages = store.history().losses.size();
   for (const std::int64_t number : store.scanNumbers()) {
     try {
       static_cast<void>(store.scan(number));
-    } catch (const InvalidInput& e) {
-      losses.emplace_back(e.what());
+    } catch (const InvalidInput&) {
+      ++damages;
     }
   }
-  return losses;
+  return damages;
 }
 
 bool copiedBefore(SessionStore& store, std::size_t damages) {
@@ -40,7 +40,7 @@ struct Preparation {
 };
 
 // Looks at a session before anything is written to it. One that is damaged is copied beside itself first.
-Preparation prepareForWriting(const std::string& path, std::vector<std::string>& losses) {
+Preparation prepareForWriting(const std::string& path, std::vector<Loss>& losses) {
   Preparation preparation;
   bool sound = true;
   {
@@ -52,13 +52,13 @@ Preparation prepareForWriting(const std::string& path, std::vector<std::string>&
       migrateSession(database);
     }
     SessionStore store(std::move(database));
-    if (sound) preparation.damages = damagedScans(store).size();
+    if (sound) preparation.damages = countDamages(store);
     if (sound && (preparation.damages == 0 || copiedBefore(store, preparation.damages))) return {};
   }
   preparation.copy = copyBeside(path);
-  losses.push_back(path + ": is damaged; before anything was written to it, it was copied to " + preparation.copy);
+  losses.push_back({LossKind::Copied, {}, preparation.copy, {}});
   if (sound) return preparation;
-  const std::vector<std::string> lost = rescueInPlace(path);
+  const std::vector<Loss> lost = rescueInPlace(path);
   losses.insert(losses.end(), lost.begin(), lost.end());
   return preparation;
 }
@@ -72,7 +72,7 @@ void rememberCopy(SessionStore& store, const Preparation& preparation) {
 
 }  // namespace
 
-Database openSessionForReading(const std::string& path, std::vector<std::string>& losses) {
+Database openSessionForReading(const std::string& path, std::vector<Loss>& losses) {
   Database database(path, Database::Mode::Read);
   const int version = checkSessionTables(database);
   if (!database.sound()) {
@@ -87,7 +87,7 @@ Database openSessionForReading(const std::string& path, std::vector<std::string>
   return copy;
 }
 
-Database openSessionForWriting(const std::string& path, std::vector<std::string>& losses) {
+Database openSessionForWriting(const std::string& path, std::vector<Loss>& losses) {
   const Preparation preparation = prepareForWriting(path, losses);
   Database database(path, Database::Mode::Write);
   if (checkSessionTables(database) != kSessionSchema) migrateSession(database);

@@ -34,8 +34,8 @@ void copyFile(const std::string& from, const std::string& to) {
 
 }  // namespace
 
-std::vector<std::string> rescueRows(Database& damaged, Database& copy) {
-  std::vector<std::string> losses;
+std::vector<Loss> rescueRows(Database& damaged, Database& copy) {
+  std::vector<Loss> losses;
   Database::Transaction transaction(copy);
   const int version = checkSessionTables(damaged);
   createSessionTables(copy, version);
@@ -44,8 +44,7 @@ std::vector<std::string> rescueRows(Database& damaged, Database& copy) {
     static_cast<void>(copyFrom(damaged, copy, table, "DESC"));
     Statement count = copy.prepare("SELECT count(*) FROM " + table);
     count.step();
-    losses.push_back(damaged.path() + ": the table " + table + " is damaged, " + count.text(0) +
-                     " rows of it were read");
+    losses.push_back({LossKind::TableDamaged, count.integer(0), table, {}});
   }
   transaction.commit();
   return losses;
@@ -64,9 +63,9 @@ std::string copyBeside(const std::string& session) {
   return copy;
 }
 
-std::vector<std::string> rescueInPlace(const std::string& session) {
+std::vector<Loss> rescueInPlace(const std::string& session) {
   const std::string rescued = freeName(session, ".rescued");
-  std::vector<std::string> losses;
+  std::vector<Loss> losses;
   {
     Database damaged(session, Database::Mode::Read);
     Database copy(rescued, Database::Mode::Create);

@@ -4,13 +4,14 @@
 #include <vector>
 
 #include "session/database.h"
+#include "session/loss.h"
 
 namespace vantage {
 
 /// Copies the readable rows of a session whose database is damaged into an empty database.
-/// @return one sentence for every table that is not whole.
+/// @return the tables that are not whole.
 /// @throws IoError when the copy cannot be written
-[[nodiscard]] std::vector<std::string> rescueRows(Database& damaged, Database& copy);
+[[nodiscard]] std::vector<Loss> rescueRows(Database& damaged, Database& copy);
 
 /// Copies a session and its write-ahead log, byte by byte, to the first free name `<session>.damaged-N`.
 /// @return that name. @throws IoError
@@ -21,6 +22,6 @@ namespace vantage {
 
 /// Replaces a damaged session by what of it can be read. A copy must have been made before.
 /// @return as rescueRows. @throws IoError: the session is as it was
-[[nodiscard]] std::vector<std::string> rescueInPlace(const std::string& session);
+[[nodiscard]] std::vector<Loss> rescueInPlace(const std::string& session);
 
 }  // namespace vantage

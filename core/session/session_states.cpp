@@ -29,8 +29,8 @@ bool fits(const Plan& plan, const Model& model, std::size_t views) {
 
 }  // namespace
 
-void SessionStates::lose(const std::string& sentence) {
-  if (std::find(losses_.begin(), losses_.end(), sentence) == losses_.end()) losses_.push_back(sentence);
+void SessionStates::lose(Loss loss) {
+  if (std::find(losses_.begin(), losses_.end(), loss) == losses_.end()) losses_.push_back(std::move(loss));
 }
 
 std::shared_ptr<const ScannerProfile> SessionStates::parsed(const std::optional<ProfileSource>& source) {
@@ -45,7 +45,7 @@ void SessionStates::dropImpossible(StoredHistory& history) {
              scan.station.stand < static_cast<int>(outline.stands.size());
     };
     if (exists(outline.chosenPosition) && std::all_of(outline.scans.begin(), outline.scans.end(), known)) continue;
-    lose(store_.path() + ": step " + std::to_string(history.entries[i].step) + " is lost: it names no position");
+    lose({LossKind::StepImpossible, history.entries[i].step, {}, {}});
     history.entries.erase(history.entries.begin() + static_cast<std::ptrdiff_t>(i));
     if (history.cursor > 0 && history.cursor >= i) --history.cursor;
   }
@@ -106,12 +106,14 @@ std::shared_ptr<const Model> SessionStates::model(std::int64_t step, std::size_t
     auto model = store_.model(step);
     const auto known = [&](std::uint32_t view) { return view < views; };
     if (model && !(std::all_of(model->vertexView.begin(), model->vertexView.end(), known) &&
-                   std::all_of(model->triangleView.begin(), model->triangleView.end(), known)))
-      throw InvalidInput(store_.path() + ": model " + std::to_string(step) + " is of other views");
+                   std::all_of(model->triangleView.begin(), model->triangleView.end(), known))) {
+      lose({LossKind::ModelOfOtherViews, step, {}, {}});
+      return nullptr;
+    }
     models_[step] = model;
     return model;
   } catch (const InvalidInput& e) {
-    lose(std::string(e.what()) + "; it is made again");
+    lose({LossKind::ModelDamaged, step, {}, e.what()});
     return nullptr;
   }
 }
@@ -125,12 +127,14 @@ std::shared_ptr<const Plan> SessionStates::plan(std::int64_t step) {
   if (auto plan = plans_[step].lock()) return plan;
   try {
     auto plan = store_.plan(step);
-    if (plan && !fits(*plan))
-      throw InvalidInput(store_.path() + ": plan " + std::to_string(step) + " is of other positions");
+    if (plan && !fits(*plan)) {
+      lose({LossKind::PlanOfOtherPositions, step, {}, {}});
+      return nullptr;
+    }
     plans_[step] = plan;
     return plan;
   } catch (const InvalidInput& e) {
-    lose(e.what());
+    lose({LossKind::PlanDamaged, step, {}, e.what()});
     return nullptr;
   }
 }
@@ -154,7 +158,7 @@ std::optional<KeptScan> SessionStates::keptScan(const OutlinedScan& outlined,
     kept.record.planAfter = plan(outlined.planStep);
     return kept;
   } catch (const InvalidInput& e) {
-    lose(e.what());
+    lose({LossKind::ScanDamaged, outlined.scan, {}, e.what()});
     return std::nullopt;
   }
 }
@@ -189,7 +193,7 @@ std::shared_ptr<const Model> SessionStates::modelOf(const AcquisitionState& stat
   const std::vector<View> views = viewsOf(state);
   if (auto kept = model(step, views.size())) {
     if (vantage::fits(*kept, views)) return kept;
-    lose(store_.path() + ": model " + std::to_string(step) + " is of other samples; it is made again");
+    lose({LossKind::ModelOfOtherSamples, step, {}, {}});
   }
   auto made = replayedModel(state, history, step);
   models_[step] = made;

@@ -4,11 +4,11 @@
 #include <map>
 #include <memory>
 #include <optional>
-#include <string>
 #include <utility>
 #include <vector>
 
 #include "acquisition/history.h"
+#include "session/loss.h"
 #include "session/session_store.h"
 
 namespace vantage {
@@ -24,7 +24,7 @@ struct StoredScan {
 class SessionStates {
  public:
   /// Both must outlive it.
-  SessionStates(SessionStore& store, std::vector<std::string>& losses) : store_(store), losses_(losses) {}
+  SessionStates(SessionStore& store, std::vector<Loss>& losses) : store_(store), losses_(losses) {}
 
   /// Null without a source. @throws InvalidInput when it is no profile
   [[nodiscard]] static std::shared_ptr<const ScannerProfile> parsed(const std::optional<ProfileSource>& source);
@@ -70,10 +70,10 @@ class SessionStates {
                                                      const HistoryEntry& entry);
   [[nodiscard]] std::shared_ptr<const Model> replayedModel(const AcquisitionState& state, const History& history,
                                                            std::int64_t step);
-  void lose(const std::string& sentence);
+  void lose(Loss loss);
 
   SessionStore& store_;
-  std::vector<std::string>& losses_;
+  std::vector<Loss>& losses_;
   std::shared_ptr<const ScannerProfile> profile_;
   std::map<std::int64_t, std::weak_ptr<const RangeImage>> scans_;
   std::map<std::int64_t, std::weak_ptr<const ViewMesh>> meshes_;

@@ -47,24 +47,24 @@ class HistoryReader {
   }
 
  private:
-  // Runs `row` for every row of a query; what is damaged becomes a loss, with the query's first column as its number.
+  // Runs `row` for every row of a table; what is damaged becomes a loss, with the query's first column as its number.
   template <typename Row>
-  void forEach(const std::string& what, const std::string& query, const Row& row) {
+  void forEach(const std::string& table, const std::string& query, const Row& row) {
     try {
       Statement rows = database_.prepare(query);
       while (rows.step()) {
         try {
-          row(rows, database_.path() + ": " + what + " " + rows.text(0));
+          row(rows, database_.path() + ": " + table + " " + rows.text(0));
         } catch (const InvalidInput& e) {
-          lose(e.what());
+          lose({LossKind::RowDamaged, rows.integer(0), table, e.what()});
         }
       }
     } catch (const IoError& e) {
-      lose(std::string(e.what()) + ": not all rows of " + what + " could be read");
+      lose({LossKind::RowsUnread, {}, table, e.what()});
     }
   }
 
-  void lose(const std::string& sentence) { result_.losses.push_back(sentence); }
+  void lose(Loss loss) { result_.losses.push_back(std::move(loss)); }
 
   void readSteps() {
     forEach("step",
@@ -93,13 +93,13 @@ class HistoryReader {
     auto at = steps_.find(tip);
     if (at == steps_.end() && !steps_.empty()) {
       at = std::prev(steps_.end());
-      lose(database_.path() + ": step " + std::to_string(tip) + ", the last one, is lost");
+      lose({LossKind::LastStepLost, tip, {}, {}});
     }
     while (at != steps_.end()) {
       path_.push_back(at->first);
       const std::int64_t parent = at->second.parent;
       if (at == steps_.begin() || parent == 0) break;
-      if (!steps_.contains(parent)) lose(database_.path() + ": step " + std::to_string(parent) + " is lost");
+      if (!steps_.contains(parent)) lose({LossKind::StepLost, parent, {}, {}});
       const auto behind = steps_.upper_bound(std::min(parent, at->first - 1));
       at = behind == steps_.begin() ? steps_.end() : std::prev(behind);
     }
@@ -140,7 +140,7 @@ class HistoryReader {
   void take(std::int64_t step) {
     StepRow& row = steps_[step];
     if (counts_[step] != row.views) {
-      lose(database_.path() + ": step " + std::to_string(step) + " is lost: not all of its views are there");
+      lose({LossKind::StepIncomplete, step, {}, {}});
       return;
     }
     row.entry.outline = outlines_[step];

@@ -1,11 +1,11 @@
 #pragma once
 
 #include <cstdint>
-#include <string>
 #include <vector>
 
 #include "acquisition/history.h"
 #include "session/database.h"
+#include "session/loss.h"
 
 namespace vantage {
 
@@ -13,7 +13,7 @@ namespace vantage {
 struct StoredHistory {
   std::vector<HistoryEntry> entries;
   std::size_t cursor = 0;
-  std::vector<std::string> losses;  ///< one sentence for everything that is not
+  std::vector<Loss> losses;  ///< everything that is not
 };
 
 /// The steps that lead to `tip`, from the tables step, record and view. What is damaged is left out and named.

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "report/loss_wording.h"
 #include "report/wording.h"
 
 namespace vantage {
@@ -24,6 +25,14 @@ TEST(WindowWording, CommandsReadAsOnTheCommandLine) {
                             TakeBackView{4}, Finish{Termination::Running}, TakeOver{}, TurnObject{},
                             PlaceStand{1, Pose::Identity()}, ChangeMode{Mode::Assisted}})
     EXPECT_EQ(commandText(command).toStdString(), describe(command));
+}
+
+TEST(WindowWording, LossesReadAsOnTheCommandLineWhateverFilesAreCalled) {
+  for (int i = 0; i <= static_cast<int>(kLastLossKind); ++i) {
+    const Loss loss{static_cast<LossKind>(i), 4, "/data/%2.vantage", "/data/%1.vantage: it is %3 damaged"};
+    const Phrase phrase = phraseOf(loss, "/data/%2.vantage");
+    EXPECT_EQ(translated(phrase).toStdString(), english(phrase)) << i;
+  }
 }
 
 TEST(WindowWording, EveryCodeHasWords) {

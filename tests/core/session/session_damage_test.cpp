@@ -7,6 +7,7 @@
 #include "base/errors.h"
 #include "base/random.h"
 #include "session/database.h"
+#include "session/loss.h"
 #include "session/session.h"
 #include "session/session_blobs.h"
 #include "session/state_hash.h"
@@ -25,9 +26,11 @@ std::string bytesOf(const std::string& path) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-bool anyContains(const std::vector<std::string>& sentences, const std::string& part) {
-  return std::any_of(sentences.begin(), sentences.end(),
-                     [&](const std::string& s) { return s.find(part) != std::string::npos; });
+// The loss of a kind; none of that kind is a failure.
+Loss theLoss(const std::vector<Loss>& losses, LossKind kind) {
+  const auto at = std::find_if(losses.begin(), losses.end(), [&](const Loss& loss) { return loss.kind == kind; });
+  EXPECT_NE(at, losses.end()) << "kind " << static_cast<int>(kind);
+  return at == losses.end() ? Loss{} : *at;
 }
 
 class SessionDamage : public ::testing::Test {
@@ -57,7 +60,9 @@ TEST_F(SessionDamage, ADamagedModelIsMadeAgainAndNamed) {
   change("UPDATE model SET data = x'00112233' WHERE step = (SELECT max(step) FROM model)");
   const Session session = Session::open(path(), SessionAccess::Read);
   EXPECT_EQ(modelBlob(*session.state()->model), modelBlob(*saved_.model));
-  EXPECT_TRUE(anyContains(session.losses(), "model 4"));
+  const Loss loss = theLoss(session.losses(), LossKind::ModelDamaged);
+  EXPECT_EQ(loss.number, 4);
+  EXPECT_NE(loss.error.find("model 4"), std::string::npos) << loss.error;
 }
 
 TEST_F(SessionDamage, AScanThatIsLostIsNamedAndTheOthersAreThere) {
@@ -67,7 +72,9 @@ TEST_F(SessionDamage, AScanThatIsLostIsNamedAndTheOthersAreThere) {
   ASSERT_EQ(countScans(*state, ScanStatus::In), 2U);
   EXPECT_EQ(state->scans[1].number, 2);
   EXPECT_TRUE(state->model);
-  EXPECT_TRUE(anyContains(session.losses(), "scan 1"));
+  const Loss loss = theLoss(session.losses(), LossKind::ScanDamaged);
+  EXPECT_EQ(loss.number, 1);
+  EXPECT_NE(loss.error.find("scan 1"), std::string::npos) << loss.error;
 }
 
 TEST_F(SessionDamage, IsCopiedBeforeAnythingIsWritten) {
@@ -79,7 +86,7 @@ TEST_F(SessionDamage, IsCopiedBeforeAnythingIsWritten) {
   }
   Session session = Session::open(path(), SessionAccess::Write);
   EXPECT_EQ(bytesOf(path() + ".damaged-1"), before);
-  EXPECT_TRUE(anyContains(session.losses(), ".damaged-1"));
+  EXPECT_EQ(theLoss(session.losses(), LossKind::Copied).name, path() + ".damaged-1");
   session.setNote("page", "review");
   EXPECT_EQ(countScans(*session.state(), ScanStatus::In), 2U);
 }

@@ -34,7 +34,7 @@ TEST_F(EarlierVersions, AreReadWithoutLossesAndStayAsTheyAre) {
     const std::string before = bytesOf(path);
     const Session session = Session::open(path, SessionAccess::Read);
     for (std::size_t i = 0; i < session.history().size(); ++i) EXPECT_TRUE(session.state(i)) << name << " " << i;
-    EXPECT_EQ(session.losses(), std::vector<std::string>()) << name;
+    EXPECT_TRUE(session.losses().empty()) << name;
     EXPECT_EQ(bytesOf(path), before) << name;
   }
 }
@@ -44,7 +44,7 @@ TEST_F(EarlierVersions, AreBroughtUpToDateOnTheDiskAsInMemory) {
     const std::string path = copyOf(name);
     const Session read = Session::open(earlierSession(name), SessionAccess::Read);
     Session written = Session::open(path, SessionAccess::Write);
-    EXPECT_EQ(written.losses(), std::vector<std::string>()) << name;
+    EXPECT_TRUE(written.losses().empty()) << name;
     ASSERT_EQ(written.history().size(), read.history().size()) << name;
     EXPECT_EQ(written.history().cursor(), read.history().cursor()) << name;
     for (std::size_t i = 0; i < read.history().size(); ++i)
@@ -84,7 +84,7 @@ TEST_F(EarlierVersions, CanBeUndoneAndRedoneFromEndToEnd) {
     EXPECT_EQ(session.history().cursor() + 1, session.history().size());
     while (session.history().cursor() > cursor) acquisition.undo();
     EXPECT_EQ(stateHash(*session.state()), hash) << name;
-    EXPECT_EQ(session.losses(), std::vector<std::string>()) << name;
+    EXPECT_TRUE(session.losses().empty()) << name;
   }
 }
 
@@ -181,7 +181,7 @@ TEST_F(EarlierVersions, AMigrationThatIsInterruptedLeavesTheFileAsItWas) {
       EXPECT_NE(checkSessionTables(database), kSessionSchema) << name;
     }
     const Session session = Session::open(path, SessionAccess::Write);
-    EXPECT_EQ(session.losses(), std::vector<std::string>()) << name;
+    EXPECT_TRUE(session.losses().empty()) << name;
     EXPECT_EQ(stateHash(*session.state()),
               stateHash(*Session::open(earlierSession(name), SessionAccess::Read).state()));
   }

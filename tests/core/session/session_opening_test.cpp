@@ -18,12 +18,17 @@ using testing::EarlierVersions;
 
 // Of one row of each kind the text is damaged.
 TEST_F(EarlierVersions, ADamagedRowIsNamedAndLosesNothingElse) {
-  const std::pair<const char*, std::string> damages[] = {
-      {"UPDATE record SET data = '{\"scan\": 2' WHERE scan = 2", "record"},
-      {"UPDATE step SET settings = '{}' WHERE id = 6", "step 6"},
-      {"UPDATE step SET command = 'x' WHERE id = 6", "step 6"},
-      {"UPDATE plan SET summary = '[' WHERE step = 6", "plan 6"}};
-  for (const auto& [sql, part] : damages) {
+  struct Damage {
+    const char* sql;
+    LossKind kind;
+    std::string table;
+    std::int64_t number;
+  };
+  const Damage damages[] = {{"UPDATE record SET data = '{\"scan\": 2' WHERE id = 3", LossKind::RowDamaged, "record", 3},
+                            {"UPDATE step SET settings = '{}' WHERE id = 6", LossKind::RowDamaged, "step", 6},
+                            {"UPDATE step SET command = 'x' WHERE id = 6", LossKind::RowDamaged, "step", 6},
+                            {"UPDATE plan SET summary = '[' WHERE step = 6", LossKind::PlanDamaged, "", 6}};
+  for (const auto& [sql, kind, table, number] : damages) {
     for (const SessionAccess access : {SessionAccess::Read, SessionAccess::Write}) {
       const testing::TemporaryFolder folder;
       const std::string path = folder.write("ended.vantage", bytesOf(earlierSession("schema_2_ended")));
@@ -37,12 +42,12 @@ TEST_F(EarlierVersions, ADamagedRowIsNamedAndLosesNothingElse) {
       EXPECT_EQ(countScans(*session.state(), ScanStatus::In), 2U) << sql;
       EXPECT_EQ(session.state()->termination, Termination::EndedByOperator) << sql;
       for (std::size_t i = 0; i < session.history().size(); ++i) static_cast<void>(session.state(i));
-      const std::vector<std::string> losses = session.losses();
-      EXPECT_TRUE(std::any_of(losses.begin(), losses.end(), [&](const std::string& loss) {
-        return loss.find(part) != std::string::npos;
+      const std::vector<Loss> losses = session.losses();
+      EXPECT_TRUE(std::any_of(losses.begin(), losses.end(), [&](const Loss& loss) {
+        return loss.kind == kind && loss.name == table && loss.number == number && !loss.error.empty();
       })) << sql;
       // A plan is read when it is asked for.
-      if (access == SessionAccess::Write && part != "plan 6") {
+      if (access == SessionAccess::Write && kind != LossKind::PlanDamaged) {
         EXPECT_EQ(bytesOf(path + ".damaged-1"), damaged) << sql;
       }
     }
