@@ -42,7 +42,7 @@ struct HistoryEntry {
   std::int64_t step = 0;  ///< number in its session, never given twice
   Command command;
   std::shared_ptr<const StateOutline> outline;  ///< after it
-  std::uint64_t hash = 0;                       ///< stateHash after it
+  std::optional<std::uint64_t> hash;            ///< stateHash after it; nothing where it was not made
 };
 
 /// The commands of a session in order, with a cursor that undo and redo move. The first entry is the set-up, which

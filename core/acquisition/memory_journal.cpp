@@ -48,7 +48,7 @@ void MemoryJournal::record(const Command& command, AcquisitionState state) {
     if (scan.number < scanCount()) used_[static_cast<std::size_t>(scan.number)] = true;
   auto shared = std::make_shared<const AcquisitionState>(std::move(state));
   const std::int64_t step = history_.size() == 0 ? 1 : history_.entry(history_.size() - 1).step + 1;
-  history_.add({step, command, std::make_shared<const StateOutline>(outlineOf(*shared)), 0}, shared);
+  history_.add({step, command, std::make_shared<const StateOutline>(outlineOf(*shared)), {}}, shared);
 }
 
 }  // namespace vantage

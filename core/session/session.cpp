@@ -91,7 +91,7 @@ struct Session::Parts {
   void add(const Command& command, AcquisitionState state) {
     auto shared = std::make_shared<const AcquisitionState>(std::move(state));
     auto hash = std::async(std::launch::async, [&shared] { return stateHash(*shared); });
-    HistoryEntry entry{store.nextStep(), command, nullptr, 0};
+    HistoryEntry entry{store.nextStep(), command, nullptr, {}};
     const bool first = history.size() == 0;
     const StateOutline none;
     const StateOutline& before = first ? none : *history.current().outline;

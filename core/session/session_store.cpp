@@ -221,7 +221,7 @@ void SessionStore::addStep(const HistoryEntry& entry, std::int64_t parent, const
       .bind(10, static_cast<std::int64_t>(outline.scans.size()))
       .bind(11, outline.modelStep)
       .bind(12, outline.planStep)
-      .bind(13, std::string_view(hashText(entry.hash)))
+      .bind(13, std::string_view(entry.hash ? hashText(*entry.hash) : std::string()))
       .run();
   addViews(entry);
   if (newPlan)

@@ -19,7 +19,9 @@ struct StepRow {
   HistoryEntry entry;
 };
 
-std::uint64_t hashFrom(const std::string& text) {
+// Nothing of a step that came from an earlier version: its state was hashed in another way.
+std::optional<std::uint64_t> hashFrom(const std::string& text) {
+  if (text.empty()) return std::nullopt;
   std::uint64_t hash = 0;
   std::from_chars(text.data(), text.data() + text.size(), hash, 16);
   return hash;

@@ -17,7 +17,7 @@ std::shared_ptr<const AcquisitionState> stateWithMaxViews(int maxViews) {
 // Steps 1, 2, ... with 10, 20, ... views at most.
 void addSteps(History& history, std::int64_t count) {
   for (std::int64_t step = 1; step <= count; ++step)
-    history.add({step, ChoosePosition{}, nullptr, 0}, stateWithMaxViews(static_cast<int>(10 * step)));
+    history.add({step, ChoosePosition{}, nullptr, {}}, stateWithMaxViews(static_cast<int>(10 * step)));
 }
 
 TEST(History, UndoAndRedoMoveBetweenTheStatesAndTheFirstStays) {
@@ -41,7 +41,7 @@ TEST(History, ACommandAfterUndoCutsOffWhatCouldBeRedone) {
   addSteps(history, 3);
   history.undo();
   history.undo();
-  history.add({4, ChoosePosition{}, nullptr, 0}, stateWithMaxViews(40));
+  history.add({4, ChoosePosition{}, nullptr, {}}, stateWithMaxViews(40));
   EXPECT_EQ(history.size(), 2U);
   EXPECT_FALSE(history.canRedo());
   EXPECT_EQ(history.current().step, 4);

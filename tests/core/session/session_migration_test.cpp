@@ -57,6 +57,20 @@ TEST_F(EarlierVersions, AreBroughtUpToDateOnTheDiskAsInMemory) {
   }
 }
 
+TEST_F(EarlierVersions, HashesOfTheirStepsAreNotKnownAndThoseOfNewOnesAre) {
+  for (const std::string& name : earlierSessions()) {
+    const std::string path = copyOf(name);
+    {
+      Session session = Session::open(path, SessionAccess::Write);
+      Acquisition(session).carryOut(ChangeSettings{session.state()->settings});
+      EXPECT_EQ(session.history().current().hash, stateHash(*session.state())) << name;
+    }
+    const Session read = Session::open(path, SessionAccess::Read);
+    for (std::size_t i = 0; i + 1 < read.history().size(); ++i) EXPECT_FALSE(read.history().entry(i).hash) << name;
+    EXPECT_EQ(read.history().current().hash, stateHash(*read.state())) << name;
+  }
+}
+
 // In the files the rows of every version are called the same.
 TEST_F(EarlierVersions, KeepEveryScanAndEveryModel) {
   for (const std::string& name : earlierSessions()) {
