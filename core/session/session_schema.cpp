@@ -13,14 +13,58 @@ struct Table {
   const char* columns;
 };
 
-// Version 3.
-constexpr Table kTables[] = {
-    {"meta", "(key TEXT PRIMARY KEY, value TEXT NOT NULL) WITHOUT ROWID"},
-    {"file", "(name TEXT PRIMARY KEY, content TEXT NOT NULL) WITHOUT ROWID"},
-    {"object", "(id INTEGER PRIMARY KEY, hash TEXT NOT NULL, mesh BLOB)"},
-    {"rays",
-     "(id INTEGER PRIMARY KEY, rows INTEGER NOT NULL, columns INTEGER NOT NULL, receivers INTEGER NOT NULL, "
-     "data BLOB NOT NULL)"},
+// Tables that versions share.
+constexpr Table kMeta{"meta", "(key TEXT PRIMARY KEY, value TEXT NOT NULL) WITHOUT ROWID"};
+constexpr Table kFile{"file", "(name TEXT PRIMARY KEY, content TEXT NOT NULL) WITHOUT ROWID"};
+constexpr Table kObject{"object", "(id INTEGER PRIMARY KEY, hash TEXT NOT NULL, mesh BLOB)"};
+constexpr Table kRays{"rays",
+                      "(id INTEGER PRIMARY KEY, rows INTEGER NOT NULL, columns INTEGER NOT NULL, receivers INTEGER NOT "
+                      "NULL, data BLOB NOT NULL)"};
+constexpr Table kView{"view",
+                      "(id INTEGER PRIMARY KEY, step INTEGER NOT NULL REFERENCES step(id), place INTEGER NOT NULL, "
+                      "scan INTEGER NOT NULL REFERENCES scan(id), status TEXT NOT NULL, pose BLOB NOT NULL, record "
+                      "INTEGER NOT NULL, plan INTEGER NOT NULL)"};
+constexpr Table kRecord{"record",
+                        "(id INTEGER PRIMARY KEY, step INTEGER NOT NULL, scan INTEGER NOT NULL, data TEXT NOT NULL)"};
+constexpr Table kPlan{"plan", "(step INTEGER PRIMARY KEY, summary TEXT NOT NULL, data BLOB NOT NULL)"};
+constexpr Table kModel{"model", "(step INTEGER PRIMARY KEY, data BLOB NOT NULL)"};
+constexpr Table kEvent{"event", "(id INTEGER PRIMARY KEY, what TEXT NOT NULL, step INTEGER NOT NULL)"};
+// Of versions 1 and 2.
+constexpr Table kScanOfPosition{"scan",
+                                "(id INTEGER PRIMARY KEY, position INTEGER NOT NULL, rays INTEGER REFERENCES rays(id), "
+                                "nominal BLOB NOT NULL, range BLOB NOT NULL)"};
+
+constexpr Table kTables1[] = {
+    kMeta,
+    kFile,
+    kRays,
+    kScanOfPosition,
+    {"view",
+     "(id INTEGER PRIMARY KEY, scan INTEGER NOT NULL REFERENCES scan(id), pose BLOB NOT NULL, samples INTEGER NOT "
+     "NULL, triangles INTEGER NOT NULL)"},
+    {"model", "(id INTEGER PRIMARY KEY CHECK (id = 1), data BLOB NOT NULL)"}};
+
+constexpr Table kTables2[] = {
+    kMeta,
+    kFile,
+    kObject,
+    kRays,
+    kScanOfPosition,
+    {"step",
+     "(id INTEGER PRIMARY KEY, parent INTEGER NOT NULL, kind TEXT NOT NULL, command TEXT NOT NULL, settings TEXT NOT "
+     "NULL, chosen INTEGER NOT NULL, termination TEXT NOT NULL, views INTEGER NOT NULL, model INTEGER NOT NULL, "
+     "hash TEXT NOT NULL)"},
+    kView,
+    kRecord,
+    kPlan,
+    kModel,
+    kEvent};
+
+constexpr Table kTables3[] = {
+    kMeta,
+    kFile,
+    kObject,
+    kRays,
     {"scan",
      "(id INTEGER PRIMARY KEY, stand INTEGER NOT NULL, position INTEGER, known_by TEXT NOT NULL, rays INTEGER "
      "REFERENCES rays(id), nominal BLOB NOT NULL, range BLOB NOT NULL)"},
@@ -28,51 +72,11 @@ constexpr Table kTables[] = {
      "(id INTEGER PRIMARY KEY, parent INTEGER NOT NULL, kind TEXT NOT NULL, command TEXT NOT NULL, settings TEXT NOT "
      "NULL, mode TEXT NOT NULL, stands TEXT NOT NULL, chosen INTEGER, termination TEXT NOT NULL, views INTEGER NOT "
      "NULL, model INTEGER NOT NULL, plan INTEGER NOT NULL, hash TEXT NOT NULL)"},
-    {"view",
-     "(id INTEGER PRIMARY KEY, step INTEGER NOT NULL REFERENCES step(id), place INTEGER NOT NULL, scan INTEGER NOT "
-     "NULL REFERENCES scan(id), status TEXT NOT NULL, pose BLOB NOT NULL, record INTEGER NOT NULL, plan INTEGER NOT "
-     "NULL)"},
-    {"record", "(id INTEGER PRIMARY KEY, step INTEGER NOT NULL, scan INTEGER NOT NULL, data TEXT NOT NULL)"},
-    {"plan", "(step INTEGER PRIMARY KEY, summary TEXT NOT NULL, data BLOB NOT NULL)"},
-    {"model", "(step INTEGER PRIMARY KEY, data BLOB NOT NULL)"},
-    {"event", "(id INTEGER PRIMARY KEY, what TEXT NOT NULL, step INTEGER NOT NULL)"}};
-
-constexpr Table kTables2[] = {
-    {"meta", "(key TEXT PRIMARY KEY, value TEXT NOT NULL) WITHOUT ROWID"},
-    {"file", "(name TEXT PRIMARY KEY, content TEXT NOT NULL) WITHOUT ROWID"},
-    {"object", "(id INTEGER PRIMARY KEY, hash TEXT NOT NULL, mesh BLOB)"},
-    {"rays",
-     "(id INTEGER PRIMARY KEY, rows INTEGER NOT NULL, columns INTEGER NOT NULL, receivers INTEGER NOT NULL, "
-     "data BLOB NOT NULL)"},
-    {"scan",
-     "(id INTEGER PRIMARY KEY, position INTEGER NOT NULL, rays INTEGER REFERENCES rays(id), nominal BLOB NOT NULL, "
-     "range BLOB NOT NULL)"},
-    {"step",
-     "(id INTEGER PRIMARY KEY, parent INTEGER NOT NULL, kind TEXT NOT NULL, command TEXT NOT NULL, settings TEXT NOT "
-     "NULL, chosen INTEGER NOT NULL, termination TEXT NOT NULL, views INTEGER NOT NULL, model INTEGER NOT NULL, "
-     "hash TEXT NOT NULL)"},
-    {"view",
-     "(id INTEGER PRIMARY KEY, step INTEGER NOT NULL REFERENCES step(id), place INTEGER NOT NULL, scan INTEGER NOT "
-     "NULL REFERENCES scan(id), status TEXT NOT NULL, pose BLOB NOT NULL, record INTEGER NOT NULL, plan INTEGER NOT "
-     "NULL)"},
-    {"record", "(id INTEGER PRIMARY KEY, step INTEGER NOT NULL, scan INTEGER NOT NULL, data TEXT NOT NULL)"},
-    {"plan", "(step INTEGER PRIMARY KEY, summary TEXT NOT NULL, data BLOB NOT NULL)"},
-    {"model", "(step INTEGER PRIMARY KEY, data BLOB NOT NULL)"},
-    {"event", "(id INTEGER PRIMARY KEY, what TEXT NOT NULL, step INTEGER NOT NULL)"}};
-
-constexpr Table kTables1[] = {
-    {"meta", "(key TEXT PRIMARY KEY, value TEXT NOT NULL) WITHOUT ROWID"},
-    {"file", "(name TEXT PRIMARY KEY, content TEXT NOT NULL) WITHOUT ROWID"},
-    {"rays",
-     "(id INTEGER PRIMARY KEY, rows INTEGER NOT NULL, columns INTEGER NOT NULL, receivers INTEGER NOT NULL, "
-     "data BLOB NOT NULL)"},
-    {"scan",
-     "(id INTEGER PRIMARY KEY, position INTEGER NOT NULL, rays INTEGER REFERENCES rays(id), nominal BLOB NOT NULL, "
-     "range BLOB NOT NULL)"},
-    {"view",
-     "(id INTEGER PRIMARY KEY, scan INTEGER NOT NULL REFERENCES scan(id), pose BLOB NOT NULL, samples INTEGER NOT "
-     "NULL, triangles INTEGER NOT NULL)"},
-    {"model", "(id INTEGER PRIMARY KEY CHECK (id = 1), data BLOB NOT NULL)"}};
+    kView,
+    kRecord,
+    kPlan,
+    kModel,
+    kEvent};
 
 std::string statementFor(const Table& table) {
   return std::string("CREATE TABLE ") + table.name + table.columns;
@@ -90,7 +94,7 @@ std::map<std::string, std::string> schemaOf(Database& database) {
 std::span<const Table> tablesOf(int version) {
   if (version == 1) return kTables1;
   if (version == 2) return kTables2;
-  return kTables;
+  return kTables3;
 }
 
 std::map<std::string, std::string> schemaOf(std::span<const Table> tables) {
@@ -127,7 +131,7 @@ int checkSessionTables(Database& database) {
   for (int version = kSessionSchema; version >= 1; --version)
     if (schema == schemaOf(tablesOf(version))) return version;
   const auto meta = schema.find("meta");
-  const bool ours = meta != schema.end() && meta->second == statementFor(kTables[0]);
+  const bool ours = meta != schema.end() && meta->second == statementFor(kMeta);
   const std::string version = ours ? versionIn(database) : std::string();
   if (!version.empty() && (version.size() > 1 || version < "1" || version > std::to_string(kSessionSchema)))
     throw InvalidInput(database.path() + ": has the session schema " + version + ", expected 1 to " +
