@@ -7,7 +7,7 @@
 namespace vantage {
 
 void throwRefusal(const Refusal& refusal) {
-  const std::string number = refusal.number ? std::to_string(*refusal.number) : std::string();
+  const std::string number = std::to_string(refusal.number.value_or(0));
   switch (refusal.reason) {
     case RefusalReason::NoProfile:
       throw InvalidInput("the session has no scanner profile, so no positions to scan from");

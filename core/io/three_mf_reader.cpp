@@ -108,11 +108,13 @@ class PartReader {
   }
 
   void readTriangle(const XmlTag& tag) {
+    constexpr std::array<std::string_view, 3> kCorners{"v1", "v2", "v3"};
     Triangle t{};
     for (std::size_t k = 0; k < 3; ++k) {
-      const std::string key = "v" + std::to_string(k + 1);
+      const std::string_view key = kCorners[k];
       const auto index = parseInteger(tag.attribute(key));
-      if (!index) xml_.fail("the triangle's " + key + " is " + inQuotes(tag.attribute(key)) + ", expected a vertex");
+      if (!index)
+        xml_.fail("the triangle's " + std::string(key) + " is " + inQuotes(tag.attribute(key)) + ", expected a vertex");
       t[k] =
           *index >= 0 && *index < static_cast<std::int64_t>(kNoIndex) ? static_cast<std::uint32_t>(*index) : kNoIndex;
     }
