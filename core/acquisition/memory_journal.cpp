@@ -38,6 +38,10 @@ std::optional<Station> MemoryJournal::lastStation() const {
 
 NumberedScan MemoryJournal::keepScan(RangeImage image) {
   validate(image);
+  const std::optional<int> position = image.station.position;
+  const std::shared_ptr<const AcquisitionState> now = state();
+  if (now->profile && position && (*position < 0 || *position >= static_cast<int>(now->profile->workspace.size())))
+    throw InvalidInput("a scan of position " + std::to_string(*position) + ", which does not exist");
   scans_.push_back(std::make_shared<const RangeImage>(std::move(image)));
   used_.push_back(false);
   return {scanCount() - 1, scans_.back()};

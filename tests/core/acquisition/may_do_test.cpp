@@ -6,6 +6,7 @@
 
 #include "acquisition/apply_command.h"
 #include "acquisition/next_scan.h"
+#include "acquisition/refusal.h"
 #include "acquisition/refusal_error.h"
 #include "core/io/expect_error.h"
 #include "support/scenes/small_scene.h"
