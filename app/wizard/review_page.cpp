@@ -51,7 +51,7 @@ ReviewPage::ReviewPage(SessionController& controller, QWidget* parent)
   views_->setHorizontalHeaderLabels({tr("Scan"), tr("Pos."), tr("New mm²"), tr("Fit mm"), tr("Verdict")});
   views_->verticalHeader()->hide();
   views_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-  views_->horizontalHeader()->setStretchLastSection(true);
+  views_->horizontalHeader()->setSectionResizeMode(views_->columnCount() - 1, QHeaderView::Stretch);
   views_->setSelectionBehavior(QAbstractItemView::SelectRows);
   views_->setSelectionMode(QAbstractItemView::SingleSelection);
   views_->setEditTriggers(QAbstractItemView::NoEditTriggers);
