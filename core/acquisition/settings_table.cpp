@@ -122,6 +122,9 @@ std::vector<SettingField> planningFields() {
       number<&Settings::planner, &Planner::termination, &End::share>(
           Expert, "termination.share", "Share worth a view", "", 0, 1, "0.0005",
           "A view must promise at least this share of the model's area."),
+      number<&Settings::planner, &Planner::termination, &End::mostShare>(
+          Expert, "termination.most_share", "Share always worth a view", "", 0, 1000, "1000",
+          "A view that promises this share of the model's area is worth it, however small that is."),
       number<&Settings::planner, &Planner::history, &History::clearOfBreakdown>(
           Expert, "history.clear_of_breakdown", "Clear of breakdown", "deg", 0, 90, "6",
           "A view has looked at a patch when it saw it this much inside the breakdown angle."),

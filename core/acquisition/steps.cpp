@@ -84,6 +84,16 @@ bool findPlace(AcquisitionState& state, KeptScan& scan, const StepOptions& optio
   return found;
 }
 
+// Nothing can be registered with, planned from or said of a model without surface.
+[[noreturn]] void refuseEmpty(const KeptScan& first) {
+  throw InvalidInput("the first scan, " +
+                     (first.station().position ? "from position " + std::to_string(*first.station().position)
+                                               : "number " + std::to_string(first.number)) +
+                     ", has no surface (" + std::to_string(first.view.mesh->mesh.vertices.size()) +
+                     " samples): is the object inside the viewing volume, large enough for the scanner's sampling, and "
+                     "in the right unit?");
+}
+
 }  // namespace
 
 Pose expectedPose(const AcquisitionState& state, const RangeImage& image) {
@@ -106,11 +116,7 @@ AcquisitionState addScan(const AcquisitionState& state, const NumberedScan& scan
     next.scans.push_back(std::move(added));
     return next;
   }
-  if (added.view.mesh->mesh.empty() && !state.model)
-    throw InvalidInput("the first scan, " +
-                       (added.station().position ? "from position " + std::to_string(*added.station().position)
-                                                 : "number " + std::to_string(added.number)) +
-                       ", has no surface: is the object inside the viewing volume?");
+  if (added.view.mesh->mesh.empty() && !state.model) refuseEmpty(added);
   const bool found = findPlace(next, added, options, registering.part(0.0, 0.7));
   added.record.predicted = std::move(predicted);
   next.scans.push_back(std::move(added));
@@ -124,6 +130,7 @@ AcquisitionState addScan(const AcquisitionState& state, const NumberedScan& scan
                                                 options.zipper, integrating.part(0.0, 0.6));
   next.model = std::make_shared<const Model>(
       applyConsensus(integration.model, views, options.consensus, integrating.part(0.6, 1.0)));
+  if (!state.model && next.model->mesh.triangles.empty()) refuseEmpty(next.scans.back());
   ScanRecord& record = next.scans.back().record;
   record.newArea = std::max(0.0, area(integration.model.mesh) - area(before.mesh));
   record.overlapArea = std::max(0.0, area(views.back().mesh->mesh) - record.newArea);

@@ -37,7 +37,8 @@ bool better(const PositionScore& a, const PositionScore& b, const Workspace& wor
 }  // namespace
 
 double terminationThreshold(const TerminationOptions& options, double spacing, double modelArea) {
-  return options.threshold.value_or(std::max(options.edges * spacing * spacing, options.share * modelArea));
+  const double worth = std::max(options.edges * spacing * spacing, options.share * modelArea);
+  return options.threshold.value_or(std::min(worth, options.mostShare * modelArea));
 }
 
 Choice choose(std::vector<PositionScore>& scores, const Workspace& workspace, std::optional<int> current,

@@ -10,10 +10,12 @@ namespace vantage {
 
 struct TerminationOptions {
   /// F [mm^2]; unset: what `edges` boundary edges of one sample spacing show that are seen head-on, but no less than
-  /// `share` of the model's area.
+  /// `share` and no more than `mostShare` of the model's area: of a model that is small, or of which little was seen,
+  /// less is worth a view.
   std::optional<double> threshold;
   double edges = 17.0;
   double share = 0.0005;
+  double mostShare = 0.05;
 };
 
 /// F: what a view must promise to be worth taking (Pito 1999, 5.3) [mm^2].

@@ -93,7 +93,7 @@ TEST(Choice, AllowsTwiceThePoseErrorWithEveryRelaxation) {
   EXPECT_EQ(choice.relaxations, 2);
 }
 
-constexpr TerminationOptions kTermination{.threshold = std::nullopt, .edges = 20.0, .share = 0.001};
+constexpr TerminationOptions kTermination{.threshold = std::nullopt, .edges = 20.0, .share = 0.001, .mostShare = 0.1};
 
 TEST(TerminationThreshold, OfASmallModelIsWhatSoManyEdgesShow) {
   EXPECT_DOUBLE_EQ(terminationThreshold(kTermination, 2.0, 1000.0), 80.0);  // 20 edges of 2 mm, a spacing deep each
@@ -101,6 +101,11 @@ TEST(TerminationThreshold, OfASmallModelIsWhatSoManyEdgesShow) {
 
 TEST(TerminationThreshold, OfALargeModelIsAShareOfIt) {
   EXPECT_DOUBLE_EQ(terminationThreshold(kTermination, 2.0, 1e6), 1000.0);
+}
+
+TEST(TerminationThreshold, IsNeverMoreThanAShareOfWhatWasSeen) {
+  EXPECT_DOUBLE_EQ(terminationThreshold(kTermination, 2.0, 30.0), 3.0);
+  EXPECT_DOUBLE_EQ(terminationThreshold(kTermination, 2.0, 0.0), 0.0);
 }
 
 TEST(TerminationThreshold, IsTheOneThatIsGiven) {
