@@ -156,21 +156,45 @@ void writeNew(const std::string& path, const SessionStart& start,
 
 }  // namespace
 
-// A session appears whole or not at all, and what was there before stays until then.
-Session Session::create(const std::string& path, const SessionStart& start) {
-  SessionLock lock(path);
-  auto profile = start.scanner ? start.scanner : SessionStates::parsed(start.profile);
-  const std::string unfinished = path + ".new";
-  std::error_code error;
-  try {
-    writeNew(unfinished, start, profile);
-  } catch (...) {
-    for (const char* suffix : {"", "-wal", "-shm"}) std::filesystem::remove(unfinished + suffix, error);
-    throw;
+// A name beside the session that nothing has.
+std::string unfinishedName(const std::string& path) {
+  for (int i = 0;; ++i) {
+    std::string name = path + "." + std::to_string(i) + ".new";
+    if (!std::filesystem::exists(std::filesystem::symlink_status(name))) return name;
   }
-  for (const char* suffix : {"-wal", "-shm"}) std::filesystem::remove(path + suffix, error);
+}
+
+void removeParts(const std::string& path) {
+  std::error_code error;
+  for (const char* suffix : {"", "-wal", "-shm"}) std::filesystem::remove(path + suffix, error);
+}
+
+// A second name for the file, which fails where the name is taken. Some file systems give a file one name only.
+void putIntoPlace(const std::string& unfinished, const std::string& path) {
+  std::error_code error;
+  std::filesystem::create_hard_link(unfinished, path, error);
+  if (error == std::errc::file_exists) throw IoError(path, "is there already and stays as it is: choose another name");
+  if (!error) return static_cast<void>(std::filesystem::remove(unfinished, error));
+  if (std::filesystem::exists(std::filesystem::symlink_status(path)))
+    throw IoError(path, "is there already and stays as it is: choose another name");
   std::filesystem::rename(unfinished, path, error);
   if (error) throw IoError(path, "cannot be written: " + error.message());
+}
+
+// A session appears whole or not at all.
+Session Session::create(const std::string& path, const SessionStart& start) {
+  SessionLock lock(path);
+  if (std::filesystem::exists(std::filesystem::symlink_status(path)))
+    throw IoError(path, "is there already and stays as it is: choose another name");
+  auto profile = start.scanner ? start.scanner : SessionStates::parsed(start.profile);
+  const std::string unfinished = unfinishedName(path);
+  try {
+    writeNew(unfinished, start, profile);
+    putIntoPlace(unfinished, path);
+  } catch (...) {
+    removeParts(unfinished);
+    throw;
+  }
   auto parts =
       std::make_unique<Parts>(path, SessionAccess::Write, std::move(lock), Database(path, Database::Mode::Write));
   parts->restore(std::move(profile));

@@ -32,7 +32,8 @@ enum class SessionAccess { Read, Write };
 /// The history changes only by what an Acquisition does, on one thread; everything else may be called from any.
 class Session final : public Journal {
  public:
-  /// Makes a new session; one of that name is replaced. @throws IoError, also when another program writes to it
+  /// Makes a new session where nothing is yet. @throws IoError, also when something of that name is there or another
+  /// program writes to it; what is there stays as it is
   [[nodiscard]] static Session create(const std::string& path, const SessionStart& start);
 
   /// Opens a session where it was left. One of an earlier version is brought up to date.

@@ -59,7 +59,8 @@ class Walk {
 
   // One program at a time may write: the old one closes before the new one opens.
   std::string moved() {
-    session_ = testing::createSmallSession(path_ + ".other", {});
+    const std::string other = path_ + ".other" + std::to_string(others_++);
+    session_ = testing::createSmallSession(other, {});
     return path_;
   }
 
@@ -98,6 +99,7 @@ class Walk {
 
   std::string path_;
   Session session_;
+  int others_ = 0;
   std::shared_ptr<const ScannerImages> images_;
   Random random_{7};
   std::vector<std::uint64_t> expected_;
@@ -118,7 +120,8 @@ TEST(RandomWalk, TenThousandCommandsUndosAndRedosReturnToEqualStates) {
     EXPECT_GT(walk.scansAdded(), 20);
     EXPECT_GT(walk.viewsLeftOut(), 20);
   }
-  for (const char* end : {"", ".other"}) std::filesystem::remove(path + end);
+  for (const auto& entry : std::filesystem::directory_iterator(std::filesystem::path(path).parent_path()))
+    if (entry.path().string().starts_with(path)) std::filesystem::remove(entry.path());
 }
 
 }  // namespace

@@ -167,7 +167,7 @@ TEST_F(SessionTest, HasTheModelOfEveryStepInItsFileWhenItHasSettled) {
 
 TEST_F(SessionTest, AScanThatWasNotYetAddedIsUsedBeforeAnotherIsTaken) {
   const AcquisitionState whole = saveTwoViews();
-  Session session = createSmallSession(path(), twoViews());
+  Session session = createSmallSession(folder_.file("again.vantage"), twoViews());
   const Rig rig = testing::simulation(testing::smallObject(), session.profile());
   EXPECT_EQ(session.keepScan(scanFrom(rig, 0, Progress())).number, 0);
   ASSERT_TRUE(session.unusedScan());
