@@ -1,0 +1,83 @@
+#include "report/warnings.h"
+
+#include <array>
+#include <string>
+
+#include "geometry/measures.h"
+#include "report/wording.h"
+
+namespace vantage {
+namespace {
+
+// What is left for sure to be seen, as a share of the model, before it is said that little is covered.
+constexpr double kLittleLeft = 0.05;
+
+std::optional<WarningCode> codeOf(const KeptScan& scan) {
+  switch (scan.status) {
+    case ScanStatus::Rejected:
+      return WarningCode::ScanRejected;
+    case ScanStatus::Waiting:
+      return WarningCode::ScanWaiting;
+    case ScanStatus::In:
+      if (scan.record.registration.verdict == Verdict::Doubtful) return WarningCode::ScanDoubtful;
+      break;
+    case ScanStatus::LeftOut:
+      break;
+  }
+  return std::nullopt;
+}
+
+bool endedEarly(Termination termination) {
+  return termination != Termination::Running && termination != Termination::Finished &&
+         termination != Termination::Imported;
+}
+
+}  // namespace
+
+std::string_view name(WarningCode code) {
+  constexpr std::array<std::string_view, static_cast<std::size_t>(kLastWarningCode) + 1> kNames{
+      "scan_rejected", "scan_doubtful", "scan_waiting", "nothing_covered", "little_covered", "ended_early"};
+  return kNames[static_cast<std::size_t>(code)];
+}
+
+std::vector<Warning> warningsOf(const AcquisitionState& state, std::size_t firstScan) {
+  std::vector<Warning> warnings;
+  for (std::size_t i = firstScan; i < state.scans.size(); ++i)
+    if (const auto code = codeOf(state.scans[i]))
+      warnings.push_back({*code, state.scans[i].number, state.scans[i].record.registration.finding, {}, {}});
+  const double covered = state.model ? area(state.model->mesh) : 0.0;
+  const bool ended = state.termination != Termination::Running;
+  if (!(covered > 0.0)) {
+    warnings.push_back({WarningCode::NothingCovered, {}, {}, {}, {}});
+  } else if (ended && state.plan && state.plan->voidLeft > kLittleLeft * covered) {
+    warnings.push_back({WarningCode::LittleCovered, {}, {}, state.plan->voidLeft / covered, {}});
+  }
+  if (endedEarly(state.termination)) warnings.push_back({WarningCode::EndedEarly, {}, {}, {}, state.termination});
+  return warnings;
+}
+
+Phrase phraseOf(const Warning& warning) {
+  const Phrase scan = asIs(std::to_string(warning.scan.value_or(0)));
+  const Phrase finding = phraseOf(warning.finding.value_or(Finding{}));
+  switch (warning.code) {
+    case WarningCode::ScanRejected:
+      return words("scan %1 was rejected and is not in the model: %2", {scan, finding});
+    case WarningCode::ScanDoubtful:
+      return words("scan %1 is doubtful: %2", {scan, finding});
+    case WarningCode::ScanWaiting:
+      return words("scan %1 waits until it is known how the object stood", {scan});
+    case WarningCode::NothingCovered:
+      return words("the model has no surface: nothing of the object was covered");
+    case WarningCode::LittleCovered:
+      return words(
+          "little is covered: positions would still show %1 % of what the model has, but no view may be taken "
+          "of it",
+          {figure(100.0 * warning.value.value_or(0.0))});
+    case WarningCode::EndedEarly:
+      return words("the acquisition is not finished: %1",
+                   {asIs(std::string(sentenceOf(warning.termination.value_or(Termination::Running))))});
+  }
+  return words("");
+}
+
+}  // namespace vantage

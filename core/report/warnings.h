@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "acquisition/acquisition_state.h"
+#include "base/phrase.h"
+
+namespace vantage {
+
+/// What is not well about an acquisition although it was carried out.
+enum class WarningCode : std::uint8_t {
+  ScanRejected,    ///< the scan did not find its place and is not in the model
+  ScanDoubtful,    ///< it is in the model, but something speaks against its pose
+  ScanWaiting,     ///< it is not known how the object stood for it
+  NothingCovered,  ///< the model has no surface
+  LittleCovered,   ///< positions would still show more than a small share of the model [share]
+  EndedEarly,      ///< the acquisition ended for another reason than that nothing more is to be seen
+};
+inline constexpr WarningCode kLastWarningCode = WarningCode::EndedEarly;
+/// "scan_rejected", "scan_doubtful", ...
+[[nodiscard]] std::string_view name(WarningCode code);
+
+struct Warning {
+  WarningCode code = WarningCode::NothingCovered;
+  std::optional<std::int64_t> scan;        ///< its number, for warnings of scans
+  std::optional<Finding> finding;          ///< what its verdict rests on
+  std::optional<double> value;             ///< what the code says
+  std::optional<Termination> termination;  ///< of an acquisition that ended early
+};
+
+/// What is not well about the scans from the index on, and about the whole.
+[[nodiscard]] std::vector<Warning> warningsOf(const AcquisitionState& state, std::size_t firstScan = 0);
+
+/// "scan 3 was rejected: only 12 % of the expected overlap fits".
+[[nodiscard]] Phrase phraseOf(const Warning& warning);
+
+}  // namespace vantage
