@@ -7,6 +7,7 @@
 #include "ending_text.h"
 #include "io/atomic_file.h"
 #include "io/mesh_writer.h"
+#include "io/output_file.h"
 #include "refusal_text.h"
 #include "report/loss_wording.h"
 #include "session_start.h"
@@ -418,11 +419,16 @@ void SessionController::showNow() {
   emit shownChanged();
 }
 
+std::vector<std::string> SessionController::filesInUse() const {
+  return {session_->path(), now_->settings.simulation.object, choice_.scanner};
+}
+
 void SessionController::exportModel(const QString& path) {
   if (!allowed(whyNotExport())) return;
   start<bool>(
       Activity::Writing, tr("Writing %1").arg(path),
-      [model = now_->model, path = path.toStdString()](const Progress& progress) {
+      [model = now_->model, path = path.toStdString(), inputs = filesInUse()](const Progress& progress) {
+        checkOutput(path, OutputKind::Mesh, inputs);
         vantage::exportModel(*model, path, progress);
         return true;
       },
@@ -433,8 +439,10 @@ void SessionController::writeReport(const QString& path, ReportParts parts) {
   if (!allowed(whyNotExport())) return;
   start<bool>(
       Activity::Writing, tr("Writing %1").arg(path),
-      [state = now_, path = path.toStdString(), parts = std::move(parts)](const Progress& progress) {
+      [state = now_, path = path.toStdString(), parts = std::move(parts),
+       inputs = filesInUse()](const Progress& progress) {
         progress.checkpoint(0.0);
+        checkOutput(path, OutputKind::Report, inputs);
         AtomicFile file(path);
         file.write(makeHtmlReport(*state, parts(*state)));
         file.commit();

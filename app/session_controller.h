@@ -158,6 +158,8 @@ class SessionController final : public QObject {
   /// Whether there is nothing to say against; what there is, is said.
   bool allowed(const QString& whyNot);
   void change(const Command& command);
+  /// What must not be written over.
+  [[nodiscard]] std::vector<std::string> filesInUse() const;
   void move(bool backward);
   void adopt(const SessionPointer& session, const SharedSetUp& setUp, const QString& page);
   void publish(Publication publication);

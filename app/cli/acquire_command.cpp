@@ -3,11 +3,12 @@
 
 #include "base/errors.h"
 #include "cli/command.h"
+#include "cli/new_session.h"
 #include "cli/session_run.h"
 #include "cli/settings_arguments.h"
 #include "cli/text.h"
 #include "io/placement.h"
-#include "session/session.h"
+#include "session/session_place.h"
 
 namespace vantage {
 namespace {
@@ -16,6 +17,7 @@ struct AcquireArguments {
   std::string scanner;
   std::string out;
   std::string object;
+  bool replace = false;
   SettingsArguments given;
   AcquisitionSettings settings;  ///< as given
 };
@@ -38,16 +40,21 @@ Mesh placeObject(const AcquireArguments& args, const ScannerProfile& profile, Co
 }
 
 void run(const AcquireArguments& args, CommandContext& context) {
+  const std::string file = (std::filesystem::path(args.out) / "session.vantage").string();
+  checkSessionPlace(file, args.replace);
+  const AcquisitionResults results(args.out);
+  if (!args.replace) results.mustBeNew();
+  results.mustBeReplaceable({args.object, args.scanner});
   const ProfileSource source = readProfileSource(args.scanner);
   const auto profile = std::make_shared<const ScannerProfile>(parseProfile(source));
   if (args.settings.firstView >= static_cast<int>(profile->workspace.size()))
     throw InvalidInput("--first-view is " + std::to_string(args.settings.firstView) +
                        ", the workspace has positions 0 to " + std::to_string(profile->workspace.size() - 1));
   const auto object = std::make_shared<const Mesh>(placeObject(args, *profile, context));
-  makeFolder(args.out);
-  const std::string file = (std::filesystem::path(args.out) / "session.vantage").string();
-  Session session = Session::create(file, {source, args.settings, object.get(), profile});
-  SessionRun(session, args.out, context).run(object);
+  NewFolder folder(args.out);
+  workOnNewSession({file, args.replace, true, {source, args.settings, object.get(), profile}}, context,
+                   [&](Session& session) { SessionRun(session, args.out, context).run(object); });
+  folder.keep();
 }
 
 }  // namespace
@@ -59,6 +66,8 @@ void addAcquireCommand(CLI::App& app, CommandContext& context) {
   command->add_option("--object", args->object, "Mesh to put in front of the scanner")->required();
   command->add_option("--scanner", args->scanner, "Scanner profile (JSON)")->required();
   command->add_option("--out", args->out, "Folder for session, model and report")->required();
+  command->add_flag("--replace", args->replace,
+                    "Replace the session of that folder; it is kept aside until the new one is whole");
   args->given.addTo(*command);
   args->given.addShorthand(*command, "--seed", "simulation.seed");
   args->given.addShorthand(*command, "--ideal", "simulation.ideal");

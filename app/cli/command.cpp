@@ -5,6 +5,8 @@
 #include <thread>
 #include <utility>
 
+#include "report/wording.h"
+
 namespace vantage {
 namespace {
 
@@ -35,6 +37,19 @@ void CommandContext::result(const nlohmann::ordered_json& json, const std::strin
   const std::string out = json_ ? json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n" : text;
   std::fputs(out.c_str(), stdout);
   std::fflush(stdout);
+}
+
+void CommandContext::result(nlohmann::ordered_json json, const std::string& text,
+                            const std::vector<Warning>& warnings) {
+  json["warnings"] = nlohmann::ordered_json::array();
+  for (const Warning& warning : warnings) {
+    nlohmann::ordered_json item{{"code", name(warning.code)}, {"text", describe(warning)}};
+    if (warning.scan) item["scan"] = *warning.scan;
+    json["warnings"].push_back(std::move(item));
+    note("warning: " + describe(warning));
+  }
+  warned_ = warned_ || !warnings.empty();
+  result(json, text);
 }
 
 void CommandContext::note(const std::string& line) {

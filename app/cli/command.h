@@ -3,9 +3,11 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 #include "base/progress.h"
 #include "cli/progress_bar.h"
+#include "report/warnings.h"
 
 namespace vantage {
 
@@ -22,6 +24,11 @@ class CommandContext {
 
   /// Prints the result: as one JSON object with --json, otherwise `text`.
   void result(const nlohmann::ordered_json& json, const std::string& text);
+  /// The same of an acquisition. With warnings, which are said, the program ends with the code "done, but".
+  void result(nlohmann::ordered_json json, const std::string& text, const std::vector<Warning>& warnings);
+
+  /// Whether the work was done, but not all is well.
+  [[nodiscard]] bool warned() const { return warned_; }
 
   /// One line for the operator, on stderr.
   void note(const std::string& line);
@@ -32,6 +39,7 @@ class CommandContext {
   std::stop_token stop_;
   ProgressBar bar_;
   bool json_ = false;
+  bool warned_ = false;
   int threads_;
 };
 

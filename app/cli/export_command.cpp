@@ -3,6 +3,7 @@
 #include "cli/command.h"
 #include "cli/open_session.h"
 #include "io/mesh_writer.h"
+#include "io/output_file.h"
 #include "report/report.h"
 
 namespace vantage {
@@ -14,6 +15,7 @@ struct ExportArguments {
 };
 
 void run(const ExportArguments& args, CommandContext& context) {
+  checkOutput(args.out, OutputKind::Mesh, std::vector{args.session});
   const auto read = readSessionModel(args.session, context);
   exportModel(*read, args.out, context.progress().part(0.5, 1.0, "write model"));
   const auto model = modelJson(read->mesh);

@@ -5,13 +5,14 @@
 #include "acquisition/import_scans.h"
 #include "base/errors.h"
 #include "cli/command.h"
+#include "cli/new_session.h"
 #include "cli/settings_arguments.h"
 #include "cli/text.h"
 #include "io/range_files.h"
 #include "io/scan_poses.h"
 #include "report/report.h"
 #include "report/wording.h"
-#include "session/session.h"
+#include "session/session_place.h"
 
 namespace vantage {
 namespace {
@@ -21,6 +22,7 @@ struct ImportArguments {
   std::string poses;
   std::string scanner = "generic";
   std::string session;
+  bool replace = false;
   SettingsArguments given;
 };
 
@@ -65,6 +67,7 @@ nlohmann::ordered_json importJson(const ImportArguments& args, const Acquisition
 }
 
 void run(const ImportArguments& args, CommandContext& context) {
+  checkSessionPlace(args.session, args.replace);
   std::optional<ProfileSource> source;
   std::shared_ptr<const ScannerProfile> profile;
   if (args.scanner != "generic") {
@@ -73,9 +76,12 @@ void run(const ImportArguments& args, CommandContext& context) {
   }
   const Progress progress = context.progress();
   std::vector<RangeImage> images = readScans(args, profile.get(), progress.part(0.0, 0.1, "read scans"));
-  Session session = Session::create(args.session, {source, args.given.applied({}), nullptr, profile});
-  Acquisition(session).importScans(std::move(images), progress.part(0.1, 0.9));
-  const auto state = session.state();
+  std::shared_ptr<const AcquisitionState> state;
+  workOnNewSession({args.session, args.replace, false, {source, args.given.applied({}), nullptr, profile}}, context,
+                   [&](Session& session) {
+                     Acquisition(session).importScans(std::move(images), progress.part(0.1, 0.9));
+                     state = session.state();
+                   });
   const VoidSurface voids = buildVoidPatches(*state->model, viewsOf(*state), importOptionsFor(*state).voidSpace,
                                              progress.part(0.9, 1.0, "void_patches"));
 
@@ -88,7 +94,7 @@ void run(const ImportArguments& args, CommandContext& context) {
           " boundary edges, " + json["model"]["non_manifold_edges"].dump() +
           " non-manifold\nstill void: " + std::to_string(voids.patches.size()) + " patches along " +
           number(json["void"]["length_mm"].get<double>(), 0) + " mm of boundary\nwritten: " + args.session + "\n";
-  context.result(json, text);
+  context.result(json, text, warningsOf(*state));
 }
 
 }  // namespace
@@ -101,6 +107,8 @@ void addImportCommand(CLI::App& app, CommandContext& context) {
   command->add_option("--scanner", args->scanner, "Scanner profile (JSON), or generic for parallel rays along -z")
       ->capture_default_str();
   command->add_option("--session", args->session, "Session file to write")->required();
+  command->add_flag("--replace", args->replace,
+                    "Replace a session of that name; it is kept aside until the new one is whole");
   args->given.addTo(*command);
   context.addCommonOptions(*command);
   command->callback([args, &context] { run(*args, context); });

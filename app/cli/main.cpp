@@ -13,6 +13,7 @@ constexpr int kDone = 0;
 constexpr int kFailed = 1;
 constexpr int kWrongUse = 2;
 constexpr int kCancelled = 3;
+constexpr int kDoneBut = 4;
 
 int run(int argc, char** argv) {
   const vantage::StopSignals signals;
@@ -20,6 +21,11 @@ int run(int argc, char** argv) {
   CLI::App app{"Vantage: a scanning workstation that decides where to scan next", "vantage-cli"};
   app.set_version_flag("--version", "vantage-cli " VANTAGE_VERSION);
   app.require_subcommand(1);
+  app.footer(
+      "Exit codes: 0 done; 1 the work failed; 2 wrong use; 3 cancelled, sessions can be resumed; 4 done, but not all "
+      "is\n"
+      "well: scans were rejected or are doubtful, nothing or little is covered, or the acquisition ended for another\n"
+      "reason than that it is finished (--json lists them under \"warnings\")");
   vantage::addAcquireCommand(app, context);
   vantage::addResumeCommand(app, context);
   vantage::addImportCommand(app, context);
@@ -33,7 +39,7 @@ int run(int argc, char** argv) {
   vantage::addOptionsCommand(app, context);
   try {
     app.parse(argc, argv);
-    return kDone;
+    return context.warned() ? kDoneBut : kDone;
   } catch (const CLI::ParseError& e) {
     return app.exit(e) == 0 ? kDone : kWrongUse;
   } catch (const vantage::Cancelled&) {

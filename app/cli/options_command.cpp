@@ -6,6 +6,7 @@
 #include "cli/command.h"
 #include "cli/open_session.h"
 #include "cli/settings_arguments.h"
+#include "io/output_file.h"
 
 namespace vantage {
 namespace {
@@ -60,6 +61,7 @@ void run(const OptionsArguments& args, CommandContext& context) {
   const nlohmann::ordered_json values = settingsJson(settings);
   for (const SettingField& field : settingFields()) json["options"].push_back(fieldJson(field, values));
   if (args.write.empty()) return context.result(json, optionsListing(settings));
+  checkOutput(args.write, OutputKind::Json);
   writeOptions(args.write, settings);
   json["written"] = args.write;
   context.result(json, "written: " + args.write + "\n");

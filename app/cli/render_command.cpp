@@ -1,3 +1,4 @@
+#include <QBuffer>
 #include <memory>
 #include <optional>
 
@@ -8,6 +9,8 @@
 #include "cli/command.h"
 #include "cli/open_session.h"
 #include "cli/picture_application.h"
+#include "cli/text.h"
+#include "io/output_file.h"
 #include "osmesa/osmesa_window.h"
 #include "planning/plan_images.h"
 #include "positional_space/scanner_images_cache.h"
@@ -125,9 +128,19 @@ QImage objectivePicture(const SharedSnapshot& snapshot, const QSize& size, const
   return image;
 }
 
+// Whole or not at all.
+void writePicture(const QImage& picture, const std::string& path) {
+  QByteArray bytes;
+  QBuffer buffer(&bytes);
+  buffer.open(QIODevice::WriteOnly);
+  if (!picture.save(&buffer, "PNG")) throw IoError(path, "the picture cannot be written as PNG");
+  writeTextFile(path, bytes.toStdString());
+}
+
 void run(const RenderArguments& args, CommandContext& context) {
   const QSize size = parseSize(args.size);
   const Theme& theme = args.dark ? darkTheme() : lightTheme();
+  checkOutput(args.out, OutputKind::Picture, std::vector{args.session});
   const Session session = openSession(args.session, SessionAccess::Read, context);
   const SharedSnapshot snapshot = snapshotFor(args, session, context);
   const PictureApplication application;
@@ -138,7 +151,7 @@ void run(const RenderArguments& args, CommandContext& context) {
     picture = positionalPicture(args, snapshot, size, theme);
   else
     picture = modelPicture(args, snapshot, size, theme);
-  if (!picture.save(QString::fromStdString(args.out), "PNG")) throw IoError(args.out, "the picture cannot be written");
+  writePicture(picture, args.out);
   context.result({{"file", args.out}, {"width", size.width()}, {"height", size.height()}}, args.out + "\n");
 }
 

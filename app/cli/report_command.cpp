@@ -4,6 +4,7 @@
 #include "cli/open_session.h"
 #include "cli/picture_application.h"
 #include "cli/text.h"
+#include "io/output_file.h"
 #include "osmesa/osmesa_window.h"
 #include "report/html_report.h"
 #include "report_pictures.h"
@@ -40,6 +41,7 @@ std::vector<ReportPicture> modelPictures(const std::shared_ptr<const Acquisition
 }
 
 void run(const ReportArguments& args, CommandContext& context) {
+  checkOutput(args.out, OutputKind::Report, std::vector{args.session});
   const auto state = readSession(args.session, context);
   HtmlReportOptions options;
   options.version = VANTAGE_VERSION;

@@ -2,6 +2,7 @@
 #include <memory>
 
 #include "cli/command.h"
+#include "cli/new_session.h"
 #include "cli/open_session.h"
 #include "cli/session_run.h"
 #include "cli/settings_arguments.h"
@@ -21,8 +22,10 @@ void run(const ResumeArguments& args, CommandContext& context) {
   const auto object = std::make_shared<const Mesh>(session.object(context.progress()));
   const std::string beside = std::filesystem::absolute(args.session).parent_path().string();
   const std::string out = args.out.empty() ? beside : args.out;
-  makeFolder(out);
+  AcquisitionResults(out).mustBeReplaceable({session.state()->settings.simulation.object});
+  NewFolder folder(out);
   SessionRun(session, out, context).run(object);
+  folder.keep();
 }
 
 }  // namespace

@@ -1,13 +1,12 @@
 #include "cli/session_run.h"
 
-#include <filesystem>
+#include <utility>
 
 #include "acquisition/acquisition.h"
 #include "base/errors.h"
 #include "cli/cache_directory.h"
 #include "cli/text.h"
 #include "devices/device_factory.h"
-#include "io/mesh_writer.h"
 #include "planning/choice.h"
 #include "positional_space/scanner_images_cache.h"
 #include "report/report.h"
@@ -36,12 +35,6 @@ std::string viewLine(const AcquisitionState& state, const KeptScan& scan) {
 
 }  // namespace
 
-void makeFolder(const std::string& path) {
-  std::error_code error;
-  std::filesystem::create_directories(path, error);
-  if (error || !std::filesystem::is_directory(path)) throw IoError(path, "cannot be made a folder: " + error.message());
-}
-
 std::string lastScanLine(const AcquisitionState& state) {
   const KeptScan& scan = state.scans.back();
   switch (scan.status) {
@@ -65,11 +58,7 @@ void changeSettings(Session& session, const AcquisitionSettings& settings, Comma
 }
 
 SessionRun::SessionRun(Session& session, std::string out, CommandContext& context)
-    : session_(session), out_(std::move(out)), context_(context), last_(session.state()) {}
-
-std::string SessionRun::file(const char* name) const {
-  return (std::filesystem::path(out_) / name).string();
-}
+    : session_(session), results_(std::move(out)), context_(context), last_(session.state()) {}
 
 void SessionRun::run(const std::shared_ptr<const Mesh>& object) {
   try {
@@ -107,10 +96,7 @@ void SessionRun::acquireAll(const std::shared_ptr<const Mesh>& object) {
 
 void SessionRun::writeResults() {
   report_ = makeReport(*last_, VANTAGE_VERSION);
-  writeTextFile(file("report.json"), report_.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
-  if (!last_->model) return;
-  exportModel(*last_->model, file("model.ply"));
-  exportModel(*last_->model, file("model.stl"));
+  results_.write(*last_, report_);
 }
 
 void SessionRun::announce() {
@@ -122,9 +108,9 @@ void SessionRun::announce() {
   for (const auto& r : report_["remaining"])
     text += "left: " + r["edges"].dump() + " edges (" + number(r["length_mm"].get<double>(), 0) + " mm) " +
             r["reason"].get<std::string>() + "\n";
-  text += "written: " + file("model.ply") + ", " + file("model.stl") + ", " + file("report.json") + ", " +
-          session_.path() + "\n";
-  context_.result(report_, text);
+  text += "written: " + results_.file("model.ply") + ", " + results_.file("model.stl") + ", " +
+          results_.file("report.json") + ", " + session_.path() + "\n";
+  context_.result(report_, text, warningsOf(*last_));
 }
 
 }  // namespace vantage

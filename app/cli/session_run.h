@@ -3,6 +3,7 @@
 #include <memory>
 #include <string>
 
+#include "cli/acquisition_results.h"
 #include "cli/command.h"
 #include "session/session.h"
 
@@ -12,20 +13,19 @@ namespace vantage {
 /// model.ply and model.stl at the end, also when it is cancelled.
 class SessionRun {
  public:
-  /// @param out folder for the results, which exists. All must outlive it.
+  /// @param out folder for the results, which exists; what is there may be replaced. All must outlive it.
   SessionRun(Session& session, std::string out, CommandContext& context);
 
   /// @throws InvalidInput, IoError, DeviceError, Cancelled: the session can be resumed
   void run(const std::shared_ptr<const Mesh>& object);
 
  private:
-  [[nodiscard]] std::string file(const char* name) const;
   void acquireAll(const std::shared_ptr<const Mesh>& object);
   void writeResults();
   void announce();
 
   Session& session_;
-  std::string out_;
+  AcquisitionResults results_;
   CommandContext& context_;
   std::shared_ptr<const AcquisitionState> last_;
   nlohmann::ordered_json report_;
@@ -37,8 +37,5 @@ class SessionRun {
 /// Lets a session go on with other settings, which is recorded like every command; nothing happens when they are equal.
 /// @throws InvalidInput, IoError, Cancelled
 void changeSettings(Session& session, const AcquisitionSettings& settings, CommandContext& context);
-
-/// Makes a folder and those above it. @throws IoError
-void makeFolder(const std::string& path);
 
 }  // namespace vantage

@@ -60,7 +60,8 @@ void run(const StepArguments& args, CommandContext& context) {
   const std::optional<int> next = nextPosition(*after);
   const std::string then = next ? "next best view: position " + std::to_string(*next)
                                 : "nothing is left to scan: " + std::string(name(after->termination));
-  context.result(stepJson(*after), lastScanLine(*after) + "\n" + then + "\n");
+  context.result(stepJson(*after), lastScanLine(*after) + "\n" + then + "\n",
+                 warningsOf(*after, after->scans.size() - 1));
 }
 
 }  // namespace

@@ -46,7 +46,8 @@ sed 's/"breakdown_angle_deg": [0-9.]*/"breakdown_angle_deg": 95/' "$scanner" >"$
 expect 1 "/scanner/breakdown_angle_deg" "$cli" acquire --object "$mug" --scanner "$work/steep.json" --out "$work/a"
 expect 1 "first-view" "$cli" acquire --object "$mug" --scanner "$scanner" --out "$work/a" --first-view 900
 
-expect 0 "2 views" "$cli" acquire --object "$mug" --scanner "$scanner" --out "$work/run" --max-views 2
+expect 4 "2 views" "$cli" acquire --object "$mug" --scanner "$scanner" --out "$work/run" --max-views 2
+expect 0 "4 done, but" "$cli" --help
 for file in session.vantage model.ply model.stl report.json; do
   [[ -s $work/run/$file ]] || { echo "FAIL: $file was not written"; failures=$((failures + 1)); }
 done
@@ -56,6 +57,32 @@ expect 0 '"asked"' "$cli" plan "$work/run/session.vantage" --position 3 --json
 expect 0 "triangles" "$cli" export "$work/run/session.vantage" --out "$work/run/model.obj"
 expect 1 "model.xyz" "$cli" export "$work/run/session.vantage" --out "$work/run/model.xyz"
 expect 0 "covered" "$cli" evaluate "$work/run/session.vantage" --object "$mug" --scanner "$scanner"
+
+# Nothing that is there is lost.
+sum() { sha256sum "$1" | cut -d' ' -f1; }
+before=$(sum "$work/run/session.vantage")
+expect 1 "say --replace" "$cli" acquire --object "$mug" --scanner "$scanner" --out "$work/run" --max-views 1
+expect 1 "resume" "$cli" import "$work/empty.ply" --session "$work/run/session.vantage"
+[[ $(sum "$work/run/session.vantage") == "$before" ]] || { echo "FAIL: a session was changed"; failures=$((failures + 1)); }
+expect 1 "empty.ply" "$cli" import "$work/empty.ply" --session "$work/run/session.vantage" --replace
+[[ $(sum "$work/run/session.vantage") == "$before" ]] || { echo "FAIL: a failing import replaced a session"; failures=$((failures + 1)); }
+mkdir "$work/models"
+cp "$mug" "$work/models/model.ply"
+expect 1 "model.ply: is there already" "$cli" acquire --object "$work/models/model.ply" --scanner "$scanner" --out "$work/models"
+expect 1 "is read by this command" "$cli" acquire --object "$work/models/model.ply" --scanner "$scanner" --out "$work/models" --replace
+expect 1 "is read by this command" "$cli" export "$work/run/session.vantage" --out "$work/run/session.vantage"
+cp "$scanner" "$work/mine.json"
+expect 1 "is not replaced" "$cli" options --write "$work/mine.json"
+expect 1 "no regular file" "$cli" report "$work/run/session.vantage" --out /dev/null
+expect 1 "is not replaced" "$cli" report "$work/run/session.vantage" --out "$work/mine.json"
+expect 1 "is not replaced" "$cli" render "$work/run/session.vantage" --out "$work/mine.json"
+cmp "$mug" "$work/models/model.ply" && cmp "$scanner" "$work/mine.json" || failures=$((failures + 1))
+expect 1 "empty.ply" "$cli" acquire --object "$work/empty.ply" --scanner "$scanner" --out "$work/never/made"
+[[ ! -e $work/never ]] || { echo "FAIL: a folder was made for nothing"; failures=$((failures + 1)); }
+cp -r "$work/run" "$work/replaced"
+expect 4 '"code": "ended_early"' "$cli" acquire --object "$mug" --scanner "$scanner" --out "$work/replaced" --max-views 1 --replace --json
+expect 0 "views: 1" "$cli" info "$work/replaced/session.vantage"
+[[ $(find "$work/replaced" -name '*.vantage' | wc -l) -eq 1 ]] || { echo "FAIL: the replaced session is still there"; failures=$((failures + 1)); }
 
 # Same input, same bytes, for any number of threads.
 "$cli" acquire --object "$mug" --scanner "$scanner" --out "$work/one" --max-views 2 --threads 1 >/dev/null 2>&1
@@ -89,9 +116,9 @@ expect 0 "running" "$cli" info "$work/killed/session.vantage"
 kill -KILL $pid
 wait $pid 2>/dev/null
 rm "$work/mug.ply"
-expect 0 "5 views" "$cli" resume "$work/killed/session.vantage"
+expect 4 "5 views" "$cli" resume "$work/killed/session.vantage"
 cmp "$work/whole/model.ply" "$work/killed/model.ply" || failures=$((failures + 1))
-expect 0 "5 views" "$cli" resume "$work/killed/session.vantage" --out "$work/again"
+expect 4 "5 views" "$cli" resume "$work/killed/session.vantage" --out "$work/again"
 cmp "$work/whole/model.ply" "$work/again/model.ply" || failures=$((failures + 1))
 expect 1 "no such file" "$cli" resume "$work/nothing.vantage"
 
@@ -113,10 +140,10 @@ expect 0 "planner.tolerance=0.3" "$cli" options --options "$work/options.json"
 echo '{ "max_views": "many" }' >"$work/wrong.json"
 expect 2 "wrong.json: max_views is many" "$cli" options --options "$work/wrong.json"
 expect 1 "nothing.json" "$cli" options --options "$work/nothing.json"
-expect 0 "1 views" "$cli" acquire --object "$mug" --scanner "$scanner" --out "$work/set" --options "$work/options.json" --set max_views=1
+expect 4 "1 views" "$cli" acquire --object "$mug" --scanner "$scanner" --out "$work/set" --options "$work/options.json" --set max_views=1
 expect 0 "planner.tolerance=0.3" "$cli" options "$work/set/session.vantage"
 expect 2 "as the session was begun" "$cli" resume "$work/set/session.vantage" --set triangulation.angle_slack=3
-expect 0 "2 views" "$cli" resume "$work/set/session.vantage" --set max_views=2
+expect 4 "2 views" "$cli" resume "$work/set/session.vantage" --set max_views=2
 expect 0 "max_views=2" "$cli" options "$work/set/session.vantage"
 
 # Assisted steps: range files that the operator brings.

@@ -54,6 +54,8 @@ bool intact(const std::string& path) {
   return check.step() && check.text(0) == "ok";
 }
 
+constexpr int kDoneBut = 4;  // the greatest number of views ends it
+
 class Recovery : public ::testing::Test {
  protected:
   void SetUp() override {
@@ -83,7 +85,7 @@ class Recovery : public ::testing::Test {
 
 TEST_F(Recovery, KilledAtAnyMomentItGoesOnToTheSameModel) {
   const auto begin = std::chrono::steady_clock::now();
-  ASSERT_EQ(acquire("whole").wait(), 0);
+  ASSERT_EQ(acquire("whole").wait(), kDoneBut);
   const auto whole = std::chrono::steady_clock::now() - begin;
   Random random(5);
   int killed = 0;
@@ -104,7 +106,7 @@ TEST_F(Recovery, KilledAtAnyMomentItGoesOnToTheSameModel) {
     }
     EXPECT_TRUE(intact(session));
     EXPECT_GE(Session::open(session, SessionAccess::Read).scanCount(), static_cast<std::int64_t>(reported));
-    EXPECT_EQ(resume(out), 0) << bytesOf(folder_.file(out + ".resume.log"));
+    EXPECT_EQ(resume(out), kDoneBut) << bytesOf(folder_.file(out + ".resume.log"));
     expectSameResults(out, "whole");
     fs::remove_all(folder_.file(out));
   }

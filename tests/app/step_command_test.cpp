@@ -28,7 +28,8 @@ TEST(StepCommand, AddsTheScansOfAnOperatorUntilTheModelIsThere) {
     testing::ChildProgram step(
         {VANTAGE_CLI, "step", path, "--range", range, "--position", std::to_string(*next), "--threads", "1"},
         folder.file("log"));
-    ASSERT_EQ(step.wait(), 0);
+    const int code = step.wait();
+    ASSERT_TRUE(code == 0 || code == 4) << code;
   }
   EXPECT_EQ(countScans(*state(), ScanStatus::In), 3U);
   EXPECT_EQ(state()->termination, Termination::MaxViews);

