@@ -55,6 +55,8 @@ expect 0 "session" "$cli" info "$work/run/session.vantage"
 expect 0 "next best view" "$cli" plan "$work/run/session.vantage"
 expect 0 '"asked"' "$cli" plan "$work/run/session.vantage" --position 3 --json
 expect 0 "triangles" "$cli" export "$work/run/session.vantage" --out "$work/run/model.obj"
+expect 0 "open: " "$cli" export "$work/run/session.vantage" --out "$work/run/model.obj"
+expect 0 '"openings": ' "$cli" export "$work/run/session.vantage" --out "$work/run/model.obj" --json
 expect 1 "model.xyz" "$cli" export "$work/run/session.vantage" --out "$work/run/model.xyz"
 expect 0 "covered" "$cli" evaluate "$work/run/session.vantage" --object "$mug" --scanner "$scanner"
 
