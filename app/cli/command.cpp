@@ -47,8 +47,8 @@ void CommandContext::result(nlohmann::ordered_json json, const std::string& text
     if (warning.scan) item["scan"] = *warning.scan;
     json["warnings"].push_back(std::move(item));
     note("warning: " + describe(warning));
+    warned_ = warned_ || isSerious(warning);
   }
-  warned_ = warned_ || !warnings.empty();
   result(json, text);
 }
 

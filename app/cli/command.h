@@ -24,7 +24,7 @@ class CommandContext {
 
   /// Prints the result: as one JSON object with --json, otherwise `text`.
   void result(const nlohmann::ordered_json& json, const std::string& text);
-  /// The same of an acquisition. With warnings, which are said, the program ends with the code "done, but".
+  /// The same of an acquisition. Warnings are said; with a serious one the program ends with the code "done, but".
   void result(nlohmann::ordered_json json, const std::string& text, const std::vector<Warning>& warnings);
 
   /// Whether the work was done, but not all is well.

@@ -40,6 +40,11 @@ std::string_view name(WarningCode code) {
   return kNames[static_cast<std::size_t>(code)];
 }
 
+bool isSerious(const Warning& warning) {
+  return warning.code != WarningCode::ScanDoubtful || !warning.finding ||
+         warning.finding->reason != VerdictReason::HeldByMechanics;
+}
+
 std::vector<Warning> warningsOf(const AcquisitionState& state, std::size_t firstScan) {
   std::vector<Warning> warnings;
   for (std::size_t i = firstScan; i < state.scans.size(); ++i)

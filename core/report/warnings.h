@@ -31,6 +31,10 @@ struct Warning {
   std::optional<Termination> termination;  ///< of an acquisition that ended early
 };
 
+/// Whether it speaks against the result. A scan of a body of revolution, say, that surface and mechanics hold together
+/// is as good as it can be: that is said, and no more.
+[[nodiscard]] bool isSerious(const Warning& warning);
+
 /// What is not well about the scans from the index on, and about the whole.
 [[nodiscard]] std::vector<Warning> warningsOf(const AcquisitionState& state, std::size_t firstScan = 0);
 

@@ -52,6 +52,16 @@ TEST(Warnings, NameScansThatAreNotWell) {
   EXPECT_EQ(describe(warningsOf(state)[1]), "scan 4 is doubtful: only 20 % of the expected overlap fits");
 }
 
+TEST(Warnings, OfAPoseThatMechanicsHoldAreNotSerious) {
+  AcquisitionState state = finishedState();
+  state.scans.push_back(scanWith(1, ScanStatus::In, Verdict::Doubtful));
+  ASSERT_EQ(warningsOf(state).size(), 1U);
+  EXPECT_TRUE(isSerious(warningsOf(state)[0]));
+  state.scans[1].record.registration.finding.reason = VerdictReason::HeldByMechanics;
+  ASSERT_EQ(warningsOf(state).size(), 1U);
+  EXPECT_FALSE(isSerious(warningsOf(state)[0]));
+}
+
 TEST(Warnings, SayThatAnAcquisitionIsNotFinished) {
   AcquisitionState state = finishedState();
   state.termination = Termination::NoOverlap;
