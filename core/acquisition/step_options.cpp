@@ -29,14 +29,17 @@ StepOptions stepOptionsFor(const ScannerProfile& profile, const AcquisitionSetti
 }
 
 StepOptions stepOptionsFor(const AcquisitionState& state) {
-  if (state.profile) return stepOptionsFor(*state.profile, state.settings);
-  StepOptions options = withBreakdownAngle(state.settings, kRecordedBreakdownAngle);
-  if (!options.triangulation.angleSlack) options.triangulation.angleSlack = kRecordedAngleSlack;
+  StepOptions options = state.profile ? stepOptionsFor(*state.profile, state.settings)
+                                      : withBreakdownAngle(state.settings, kRecordedBreakdownAngle);
+  if (!state.profile && !options.triangulation.angleSlack) options.triangulation.angleSlack = kRecordedAngleSlack;
+  options.zipper.mend = state.termination == Termination::Imported;
   return options;
 }
 
 ImportOptions importOptionsFor(const AcquisitionState& state) {
-  const StepOptions step = stepOptionsFor(state);
+  StepOptions step = stepOptionsFor(state);
+  // All scans are there.
+  step.zipper.mend = true;
   return {step.triangulation,
           {step.registration, step.refinement, state.settings.alignment},
           step.zipper,

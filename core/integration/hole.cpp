@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "integration/manifold.h"
+#include "integration/polygon_fill.h"
 
 namespace vantage {
 namespace {
@@ -16,32 +17,6 @@ const double kMinFlatness = std::cos(radians(75.0));
 // unless it is smaller than this share of the square of the longest chord.
 constexpr double kNegligible = 0.01;
 
-// The border edge that leaves the vertex, or kNoIndex.
-std::uint32_t nextOnBorder(const ModelEditor& editor, std::uint32_t vertex) {
-  std::uint32_t next = kNoIndex;
-  editor.visitTriangles(vertex, [&](std::uint32_t t) {
-    const Triangle& v = editor.triangle(t);
-    const int k = v[0] == vertex ? 0 : (v[1] == vertex ? 1 : 2);
-    if (editor.triangleAt(v[(k + 1) % 3], vertex) == kNoIndex) next = v[(k + 1) % 3];
-  });
-  return next;
-}
-
-// The loop through the vertex, turned so that it runs counter-clockwise about the hole; empty when it is too long.
-std::vector<std::uint32_t> loopAt(const ModelEditor& editor, std::uint32_t vertex, int maxEdges) {
-  std::vector<std::uint32_t> loop;
-  std::uint32_t at = vertex;
-  if (!editor.onBoundary(vertex)) return loop;
-  do {
-    loop.push_back(at);
-    at = nextOnBorder(editor, at);
-    if (at == kNoIndex || loop.size() > static_cast<std::size_t>(maxEdges)) return {};
-  } while (at != vertex);
-  if (loop.size() < 3) return {};
-  std::reverse(loop.begin(), loop.end());
-  return loop;
-}
-
 // Mean normal of the triangles around the loop.
 Vec3 normalAround(const ModelEditor& editor, const std::vector<std::uint32_t>& loop) {
   Vec3 sum = Vec3::Zero();
@@ -50,62 +25,6 @@ Vec3 normalAround(const ModelEditor& editor, const std::vector<std::uint32_t>& l
         triangleNormal(editor.model().mesh, editor.triangle(editor.triangleAt(loop[(i + 1) % loop.size()], loop[i])));
   return sum.normalized();
 }
-
-// Least-area triangulation of a polygon of few corners whose chords are no longer than a limit; none when every one is
-// folded or has a longer chord.
-class PolygonFill {
- public:
-  PolygonFill(const ModelEditor& editor, const std::vector<std::uint32_t>& loop, const Vec3& normal, double maxChord)
-      : editor_(editor), loop_(loop), normal_(normal), maxChord_(maxChord) {}
-
-  [[nodiscard]] std::vector<Triangle> triangles() {
-    const std::size_t n = loop_.size();
-    cost_.assign(n * n, 0.0);
-    apex_.assign(n * n, 0);
-    for (std::size_t span = 2; span < n; ++span)
-      for (std::size_t i = 0; i + span < n; ++i) solve(i, i + span);
-    std::vector<Triangle> result;
-    if (cost_[n - 1] < std::numeric_limits<double>::infinity()) collect(0, n - 1, result);
-    return result;
-  }
-
- private:
-  [[nodiscard]] bool chordAllowed(std::size_t a, std::size_t b) const {
-    if (b == a + 1 || (a == 0 && b + 1 == loop_.size())) return true;
-    return (editor_.position(loop_[a]) - editor_.position(loop_[b])).norm() <= maxChord_ &&
-           editor_.triangleAt(loop_[a], loop_[b]) == kNoIndex && editor_.triangleAt(loop_[b], loop_[a]) == kNoIndex;
-  }
-
-  void solve(std::size_t i, std::size_t k) {
-    const std::size_t n = loop_.size();
-    double best = std::numeric_limits<double>::infinity();
-    for (std::size_t j = i + 1; j < k && chordAllowed(i, k); ++j) {
-      const Vec3 a = 0.5 * areaVector(editor_.model().mesh, {loop_[i], loop_[j], loop_[k]});
-      const double area = a.norm();
-      if (a.dot(normal_) < kMinFlatness * area && area > kNegligible * maxChord_ * maxChord_) continue;
-      const double cost = cost_[i * n + j] + cost_[j * n + k] + area;
-      if (cost >= best) continue;
-      best = cost;
-      apex_[i * n + k] = j;
-    }
-    cost_[i * n + k] = best;
-  }
-
-  void collect(std::size_t i, std::size_t k, std::vector<Triangle>& result) const {
-    if (k < i + 2) return;
-    const std::size_t j = apex_[i * loop_.size() + k];
-    result.push_back({loop_[i], loop_[j], loop_[k]});
-    collect(i, j, result);
-    collect(j, k, result);
-  }
-
-  const ModelEditor& editor_;
-  const std::vector<std::uint32_t>& loop_;
-  Vec3 normal_;
-  double maxChord_;
-  std::vector<double> cost_;
-  std::vector<std::size_t> apex_;
-};
 
 // What the new view says about the middle of the hole.
 enum class Evidence { Surface, Beyond, Nothing };
@@ -154,8 +73,10 @@ class HoleCloser {
 
  private:
   bool fill(const std::vector<std::uint32_t>& loop) {
-    PolygonFill polygon(editor_, loop, normalAround(editor_, loop), maxChord_);
-    const std::vector<Triangle> triangles = polygon.triangles();
+    const Vec3 normal = normalAround(editor_, loop);
+    const std::vector<Triangle> triangles = fillPolygon(editor_, loop, maxChord_, [&](const Triangle&, const Vec3& a) {
+      return a.dot(normal) >= kMinFlatness * a.norm() || a.norm() <= kNegligible * maxChord_ * maxChord_;
+    });
     for (const Triangle& t : triangles) editor_.addTriangle(t, newView_);
     return !triangles.empty();
   }
@@ -180,7 +101,7 @@ class HoleCloser {
         if (!isSingleFan(editor_, v)) return false;
     for (const auto& [triangle, view] : removed)
       for (const std::uint32_t v : triangle) {
-        const std::vector<std::uint32_t> wider = loopAt(editor_, v, 2 * options_.maxHoleEdges);
+        const std::vector<std::uint32_t> wider = borderLoop(editor_, v, 2 * options_.maxHoleEdges);
         if (!wider.empty()) return holds(wider, removed) && fill(wider);
       }
     return false;
@@ -212,7 +133,7 @@ std::size_t closeSmallHoles(ModelEditor& editor, const GridSurface& surface, std
   std::size_t closed = 0;
   for (std::uint32_t v = 0; v < editor.vertexCount(); ++v) {
     if (tried[v] || !editor.onBoundary(v)) continue;
-    const std::vector<std::uint32_t> loop = loopAt(editor, v, options.maxHoleEdges);
+    const std::vector<std::uint32_t> loop = borderLoop(editor, v, options.maxHoleEdges);
     for (const std::uint32_t w : loop) tried[w] = 1;
     if (!loop.empty() && closer.close(loop)) ++closed;
   }

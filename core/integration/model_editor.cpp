@@ -81,6 +81,12 @@ void ModelEditor::removeTriangle(std::uint32_t t) {
   for (std::uint32_t k = 0; k < 3; ++k) detach(3 * t + k);
 }
 
+void ModelEditor::restoreTriangle(std::uint32_t t) {
+  if (alive(t)) return;
+  alive_[t] = 1;
+  for (std::uint32_t k = 0; k < 3; ++k) attach(3 * t + k);
+}
+
 void ModelEditor::attach(std::uint32_t corner) {
   const Triangle& t = triangle(corner / 3);
   const std::uint32_t vertex = t[corner % 3];

@@ -54,6 +54,8 @@ class ModelEditor {
   /// @return false, and nothing changes, when the triangle repeats a vertex or one of its directed edges is taken.
   bool addTriangle(const Triangle& triangle, std::uint32_t view);
   void removeTriangle(std::uint32_t t);
+  /// Puts a removed triangle back in its place. @pre nothing has taken its directed edges meanwhile
+  void restoreTriangle(std::uint32_t t);
 
   /// Removed triangles and unused vertices squeezed out, the order of the others kept.
   [[nodiscard]] Model take() &&;

@@ -8,6 +8,7 @@
 #include "integration/grid_surface.h"
 #include "integration/hole.h"
 #include "integration/manifold.h"
+#include "integration/mending.h"
 #include "integration/model_editor.h"
 #include "integration/model_projection.h"
 #include "integration/redundancy.h"
@@ -81,13 +82,19 @@ Integration integrateView(const Model& model, std::span<const View> views, std::
 
 Integration zipper(std::span<const View> views, const ZipperOptions& options, const Progress& progress) {
   Integration result;
+  const Progress adding = progress.part(0.0, 0.9);
   const auto count = static_cast<double>(views.size());
   for (std::uint32_t k = 0; k < views.size(); ++k) {
     Integration step =
-        integrateView(result.model, views, k, options, progress.part(k / count, (k + 1) / count, "zippering"));
+        integrateView(result.model, views, k, options, adding.part(k / count, (k + 1) / count, "zippering"));
     result.model = std::move(step.model);
     result.statistics += step.statistics;
   }
+  if (!options.mend) return result;
+  MendedModel mended = mend(result.model, views, options, progress.part(0.9, 1.0));
+  result.model = std::move(mended.model);
+  result.statistics.islands += mended.crumbTriangles;
+  result.statistics.holesClosed += mended.holesClosed;
   return result;
 }
 

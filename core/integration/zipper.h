@@ -42,7 +42,7 @@ struct Integration {
 [[nodiscard]] Integration integrateView(const Model& model, std::span<const View> views, std::uint32_t newView,
                                         const ZipperOptions& options, const Progress& progress = {});
 
-/// All views, one after the other.
+/// All views, one after the other, and mended at the end if the options say so.
 [[nodiscard]] Integration zipper(std::span<const View> views, const ZipperOptions& options,
                                  const Progress& progress = {});
 

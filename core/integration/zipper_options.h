@@ -29,6 +29,8 @@ struct ZipperOptions {
   double maxHoleChord = 2.5;
   /// Pieces of fewer triangles are dropped: six are one sample with all its neighbours.
   int minIslandTriangles = 6;
+  /// No more views come: the model is mended once all are in it, see `mend`.
+  bool mend = false;
 };
 
 }  // namespace vantage

@@ -13,6 +13,20 @@ using testing::makeGrid;
 using testing::makeSphere;
 using testing::modelOf;
 
+TEST(ModelEditor, RestoredTriangleIsInItsPlaceAgain) {
+  Model model = testing::modelOf(testing::lookDown({4, 4, 0, 0}, [](double, double) { return 0.0; }).mesh->mesh);
+  const std::vector<Triangle> before = model.mesh.triangles;
+  ModelEditor editor(std::move(model));
+  editor.removeTriangle(7);
+  editor.removeTriangle(8);
+  EXPECT_EQ(editor.triangleAt(before[7][0], before[7][1]), kNoIndex);
+  editor.restoreTriangle(8);
+  editor.restoreTriangle(7);
+  editor.restoreTriangle(7);
+  EXPECT_EQ(editor.triangleAt(before[7][0], before[7][1]), 7U);
+  EXPECT_EQ(std::move(editor).take().mesh.triangles, before);
+}
+
 TEST(ModelEditor, RefusesTriangleWhoseDirectedEdgeIsTaken) {
   ModelEditor editor(modelOf(makeGrid(1, 1, 1.0)));  // triangles 0 1 3 and 0 3 2
   const std::uint32_t v = editor.addVertex(Vec3(2, 2, 0), 0.5F, 1, 7);

@@ -166,5 +166,16 @@ TEST(Zipper, StopsWhenAsked) {
   EXPECT_THROW((void)zipper(views, {}, Progress({}, stop.get_token(), 1)), Cancelled);
 }
 
+TEST(Zipper, CrumbsGoOnlyWhenNoMoreViewsCome) {
+  const std::vector<View> views{lookDown({61, 61, 0, 0}, flat(0.0)), lookDown({3, 2, 80, 0}, flat(-9.0))};
+  ZipperOptions last;
+  last.minIslandTriangles = 0;
+  EXPECT_EQ(measure(zipper(views, last).model.mesh).components, 2U);
+  last.mend = true;
+  const Integration mended = zipper(views, last);
+  EXPECT_EQ(measure(mended.model.mesh).components, 1U);
+  EXPECT_EQ(mended.statistics.islands, 4U);
+}
+
 }  // namespace
 }  // namespace vantage
