@@ -121,6 +121,7 @@ void addPhrase(std::string& text, std::size_t count, const char* one, const char
 
 Mesh repairedMesh(PolygonSoup soup, MeshRepair& repair, const Progress& progress) {
   Mesh mesh;
+  repair.bytesLeftOver = soup.bytesLeftOver;
   mesh.triangles = cutPolygons(soup, repair, progress.part(0.0, 0.3));
   mesh.vertices = std::move(soup.points);
   soup = {};
@@ -150,6 +151,8 @@ std::string describe(const MeshRepair& repair) {
   addPhrase(text, repair.unusedVertices, "unused vertex left out", "unused vertices left out");
   addPhrase(text, repair.flippedTriangles, "triangle turned round", "triangles turned round");
   addPhrase(text, repair.openSeams, "edge where no orientation agrees", "edges where no orientation agrees");
+  addPhrase(text, repair.bytesLeftOver, "byte at the end of the file not read",
+            "bytes at the end of the file not read");
   return text;
 }
 

@@ -18,13 +18,15 @@ struct MeshRepair {
   std::size_t mergedVertices = 0;        ///< vertices at the very place of another
   std::size_t unusedVertices = 0;        ///< vertices without a triangle
   std::size_t flippedTriangles = 0;      ///< turned round so that neighbours agree and the outside is outside
+  std::size_t bytesLeftOver = 0;         ///< of the file, behind what it says that it holds
   std::size_t openSeams = 0;             ///< edges along which no orientation agrees: the surface has one side only
 
   [[nodiscard]] std::size_t dropped() const {
     return droppedMissingVertex + droppedNotFinite + droppedDegenerate + droppedDuplicate;
   }
   [[nodiscard]] bool nothing() const {
-    return dropped() + polygonsCut + mergedVertices + unusedVertices + flippedTriangles + openSeams == 0;
+    return dropped() + polygonsCut + mergedVertices + unusedVertices + flippedTriangles + openSeams + bytesLeftOver ==
+           0;
   }
 };
 

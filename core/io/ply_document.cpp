@@ -70,6 +70,8 @@ class BinaryValues {
          " rows of element " + inQuotes(element.name));
   }
 
+  [[nodiscard]] std::size_t leftOver() { return file_.size() - at_; }
+
   [[noreturn]] void fail(const std::string& what) const {
     throw InvalidInput(file_.path() + ": byte " + std::to_string(at_) + ": " + what);
   }
@@ -83,7 +85,8 @@ class BinaryValues {
 class TextValues {
  public:
   TextValues(const FileBytes& file, const PlyHeader& header)
-      : left_(file.size() - header.bodyOffset),
+      : end_(file.text().data() + file.size()),
+        left_(file.size() - header.bodyOffset),
         text_(file.text().substr(header.bodyOffset), file.path(), header.bodyLine) {}
 
   double next(PlyType type, const PlyElement& element, std::size_t row) {
@@ -108,6 +111,11 @@ class TextValues {
                inQuotes(element.name) + " is longer than the file");
   }
 
+  [[nodiscard]] std::size_t leftOver() {
+    const std::string_view next = text_.field();
+    return next.empty() ? 0 : static_cast<std::size_t>(end_ - next.data());
+  }
+
   [[noreturn]] void fail(const std::string& what) const { text_.fail(what); }
 
  private:
@@ -126,6 +134,7 @@ class TextValues {
     }
   }
 
+  const char* end_;
   std::size_t left_;
   TextScanner text_;
 };
@@ -150,7 +159,7 @@ void readProperty(Values& values, const PlyElement& element, const PlyProperty& 
 }
 
 template <typename Values>
-PlyDocument::Columns readBody(Values values, const PlyHeader& header, const std::vector<std::vector<bool>>& wanted,
+PlyDocument::Columns readBody(Values& values, const PlyHeader& header, const std::vector<std::vector<bool>>& wanted,
                               const Progress& progress) {
   PlyDocument::Columns columns(header.elements.size());
   for (std::size_t e = 0; e < header.elements.size(); ++e) {
@@ -174,8 +183,8 @@ PlyDocument::Columns readBody(Values values, const PlyHeader& header, const std:
 
 }  // namespace
 
-PlyDocument::PlyDocument(PlyHeader header, Columns columns)
-    : header_(std::move(header)), columns_(std::move(columns)) {}
+PlyDocument::PlyDocument(PlyHeader header, Columns columns, std::size_t bytesLeftOver)
+    : header_(std::move(header)), columns_(std::move(columns)), bytesLeftOver_(bytesLeftOver) {}
 
 const PlyColumn* PlyDocument::find(std::string_view element, std::string_view property) const {
   for (std::size_t e = 0; e < header_.elements.size(); ++e) {
@@ -187,7 +196,7 @@ const PlyColumn* PlyDocument::find(std::string_view element, std::string_view pr
 }
 
 PlyDocument readPlyDocument(const FileBytes& file, std::span<const PlySelection> wanted, const Progress& progress) {
-  PlyHeader header = parsePlyHeader(file.text(), file.size(), file.path());
+  const PlyHeader header = parsePlyHeader(file.text(), file.size(), file.path());
   std::vector<std::vector<bool>> selected;
   for (const PlyElement& element : header.elements) {
     selected.emplace_back();
@@ -196,9 +205,11 @@ PlyDocument readPlyDocument(const FileBytes& file, std::span<const PlySelection>
         return s.element == element.name && s.property == property.name;
       }));
   }
-  auto columns = header.format == PlyFormat::Ascii ? readBody(TextValues(file, header), header, selected, progress)
-                                                   : readBody(BinaryValues(file, header), header, selected, progress);
-  return {std::move(header), std::move(columns)};
+  const auto read = [&](auto values) {
+    PlyDocument::Columns columns = readBody(values, header, selected, progress);
+    return PlyDocument(header, std::move(columns), values.leftOver());
+  };
+  return header.format == PlyFormat::Ascii ? read(TextValues(file, header)) : read(BinaryValues(file, header));
 }
 
 }  // namespace vantage

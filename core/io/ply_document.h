@@ -30,15 +30,18 @@ class PlyDocument {
   /// Per element and property; nothing where a column was not selected.
   using Columns = std::vector<std::vector<std::optional<PlyColumn>>>;
 
-  PlyDocument(PlyHeader header, Columns columns);
+  PlyDocument(PlyHeader header, Columns columns, std::size_t bytesLeftOver);
 
   [[nodiscard]] const PlyHeader& header() const { return header_; }
+  /// Of the file, behind the rows that its header tells; blanks at the end of text aside.
+  [[nodiscard]] std::size_t bytesLeftOver() const { return bytesLeftOver_; }
   /// The column, or nothing when the file has no such property or it was not selected.
   [[nodiscard]] const PlyColumn* find(std::string_view element, std::string_view property) const;
 
  private:
   PlyHeader header_;
   Columns columns_;
+  std::size_t bytesLeftOver_;
 };
 
 /// Reads ascii, little and big endian files. Everything is checked against the size of the file before memory is asked

@@ -12,6 +12,8 @@ namespace vantage {
 namespace {
 
 constexpr std::size_t kMaxProperties = 1000;
+// Of UTF-8; some editors write it before a header.
+constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
 
 constexpr std::array<std::pair<std::string_view, PlyType>, 16> kTypeNames{{{"char", PlyType::Int8},
                                                                            {"int8", PlyType::Int8},
@@ -36,6 +38,8 @@ class HeaderParser {
       : bytes_(bytes), fileSize_(fileSize), path_(path) {}
 
   PlyHeader parse() {
+    if (bytes_.starts_with(kByteOrderMark))
+      fail("begins with a byte order mark (BOM), which an editor put before 'ply': save the file without it");
     if (!readLine() || line_ != "ply") fail("is " + inQuotes(line_) + ", expected 'ply'");
     while (true) {
       if (!readLine()) fail("the header does not end, expected 'end_header'");
@@ -53,7 +57,8 @@ class HeaderParser {
   }
 
  private:
-  // The line ends as the first line of the file does: a binary body may begin with the byte of a line end.
+  // A binary body may begin with the byte of a line end. Where lines end with CR, LF is not part of the end; where they
+  // end with LF or CR LF, a CR with LF behind it is one end.
   bool readLine() {
     if (at_ >= bytes_.size()) return false;
     const std::size_t stop = bytes_.substr(0, kMaxPlyHeaderBytes).find_first_of("\r\n", at_);
@@ -62,8 +67,8 @@ class HeaderParser {
     line_ = bytes_.substr(at_, ended ? stop - at_ : std::string_view::npos);
     at_ = ended ? stop + 1 : bytes_.size();
     const bool pair = ended && bytes_[stop] == '\r' && at_ < bytes_.size() && bytes_[at_] == '\n';
-    if (number_ == 0) endsInPairs_ = pair;
-    if (pair && endsInPairs_) ++at_;
+    if (number_ == 0) endsInReturns_ = ended && bytes_[stop] == '\r' && !pair;
+    if (pair && !endsInReturns_) ++at_;
     ++number_;
     return true;
   }
@@ -179,7 +184,7 @@ class HeaderParser {
   std::string_view line_;
   std::size_t at_ = 0;
   std::size_t number_ = 0;
-  bool endsInPairs_ = false;
+  bool endsInReturns_ = false;
   bool hasFormat_ = false;
 };
 
@@ -221,6 +226,7 @@ std::optional<std::string> PlyHeader::info(std::string_view key) const {
 }
 
 bool looksLikePly(std::string_view bytes) {
+  if (bytes.starts_with(kByteOrderMark)) bytes.remove_prefix(kByteOrderMark.size());
   return bytes.starts_with("ply") && (bytes.size() == 3 || bytes[3] == '\n' || bytes[3] == '\r');
 }
 

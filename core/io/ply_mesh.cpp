@@ -64,6 +64,7 @@ void addStrips(const PlyColumn& strips, PolygonSoup& soup) {
 PolygonSoup readPlySoup(const FileBytes& file, const Progress& progress) {
   const PlyDocument document = readPlyDocument(file, kWanted, progress);
   PolygonSoup soup;
+  soup.bytesLeftOver = document.bytesLeftOver();
   soup.points = pointsOf(document, file.path());
   if (const PlyColumn* strips = document.find("tristrips", "vertex_indices");
       strips != nullptr && !strips->start.empty()) {

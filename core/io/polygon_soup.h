@@ -15,6 +15,7 @@ struct PolygonSoup {
   std::vector<Vec3> points;
   std::vector<std::uint32_t> corners;  ///< of all polygons, one after the other
   std::vector<std::size_t> ends;       ///< per polygon: where its corners end
+  std::size_t bytesLeftOver = 0;       ///< of the file, behind what it says that it holds
 
   void endPolygon() { ends.push_back(corners.size()); }
   [[nodiscard]] std::span<const std::uint32_t> polygon(std::size_t i) const {
@@ -23,9 +24,9 @@ struct PolygonSoup {
   }
 };
 
-/// Cuts a polygon of at least three existing points into triangles, appended to `triangles`, that keep its orientation.
-/// Up to 64 corners are cut by clipping ears in the plane of its area vector; a polygon that has no ear left (it
-/// crosses itself), or has more corners, becomes a fan.
+/// Cuts a polygon of at least three existing points into triangles, appended to `triangles`, that keep its orientation:
+/// ears are clipped in the plane of its area vector, in time that grows with its corners times those where it turns
+/// inward. A polygon that has no ear left, as it crosses itself, becomes a fan.
 void triangulatePolygon(std::span<const Vec3> points, std::span<const std::uint32_t> polygon,
                         std::vector<Triangle>& triangles);
 

@@ -32,6 +32,7 @@ void addPoint(PolygonSoup& soup, const Vec3& p) {
 
 PolygonSoup readBinary(const FileBytes& file, std::size_t count, const Progress& progress) {
   PolygonSoup soup;
+  soup.bytesLeftOver = file.size() - kHeaderBytes - kCountBytes - kTriangleBytes * count;
   reserveTriangles(soup, count);
   const char* at = file.text().data() + kHeaderBytes + kCountBytes;
   for (std::size_t t = 0; t < count; ++t, at += kTriangleBytes) {
@@ -123,6 +124,7 @@ PolygonSoup readStlSoup(const FileBytes& file, const Progress& progress) {
   const std::size_t expected = kHeaderBytes + kCountBytes + kTriangleBytes * static_cast<std::size_t>(count);
   if (hasCount && bytes.size() == expected) return readBinary(file, count, progress);
   if (looksLikeText(bytes)) return AsciiStl(file, progress).read();
+  if (hasCount && count > 0 && bytes.size() > expected) return readBinary(file, count, progress);
   if (!hasCount)
     throw InvalidInput(file.path() + ": has " + std::to_string(bytes.size()) +
                        " bytes, a binary STL has at least 84 and an ASCII STL begins with 'solid'");

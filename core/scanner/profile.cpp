@@ -26,6 +26,8 @@ constexpr std::size_t kMaxReceivers = 16;
 std::string readWholeFile(const std::string& path, std::size_t limit) {
   std::error_code error;
   if (std::filesystem::is_directory(path, error)) throw IoError(path, "is a folder, expected a file");
+  if (std::filesystem::exists(path, error) && !std::filesystem::is_regular_file(path, error))
+    throw IoError(path, "is a device or pipe, expected a file");
   std::ifstream in(path, std::ios::binary);
   if (!in) throw IoError(path, "cannot be opened for reading");
   std::string text;

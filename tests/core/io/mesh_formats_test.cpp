@@ -3,6 +3,7 @@
 #include <cctype>
 #include <cmath>
 #include <cstring>
+#include <numeric>
 
 #include "core/io/expect_error.h"
 #include "io/obj_reader.h"
@@ -74,6 +75,71 @@ TEST(StlReader, ReadsTextInAnySpelling) {
     const PolygonSoup soup = parse(readStlSoup, text);
     EXPECT_EQ(soup.ends, (std::vector<std::size_t>{3})) << text;
     EXPECT_EQ(soup.points[2], Vec3(0, 1, 0)) << text;
+  }
+}
+
+TEST(StlReader, SaysWhatIsLeftBehindItsTriangles) {
+  const PolygonSoup soup = parse(readStlSoup, binaryStl(2, 2) + std::string(20, 'x'));
+  EXPECT_EQ(soup.ends.size(), 2U);
+  EXPECT_EQ(soup.bytesLeftOver, 20U);
+  EXPECT_EQ(parse(readStlSoup, binaryStl(2, 2)).bytesLeftOver, 0U);
+}
+
+constexpr const char* kPlyTriangle =
+    "element vertex 3\nproperty float x\nproperty float y\nproperty float z\nelement face 1\n"
+    "property list uchar int vertex_indices\nend_header";
+
+TEST(PlyMesh, SaysWhatIsLeftBehindItsRows) {
+  const std::string text = std::string("ply\nformat ascii 1.0\n") + kPlyTriangle + "\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+  EXPECT_EQ(parse(readPlySoup, text + " \n\n").bytesLeftOver, 0U);
+  EXPECT_EQ(parse(readPlySoup, text + "3 1 2 0\n").bytesLeftOver, 8U);
+}
+
+TEST(PlyMesh, KnowsAnotherLineEndBehindABinaryHeader) {
+  std::string body;
+  const std::array<float, 9> points{2, 3, 5, 7, 11, 13, 17, 19, 23};
+  body.append(reinterpret_cast<const char*>(points.data()), sizeof(points));
+  const std::array<std::int32_t, 3> corners{0, 1, 2};
+  body += '\x03';
+  body.append(reinterpret_cast<const char*>(corners.data()), sizeof(corners));
+  for (const char* end : {"\n", "\r\n"}) {
+    const PolygonSoup soup =
+        parse(readPlySoup, std::string("ply\nformat binary_little_endian 1.0\n") + kPlyTriangle + end + body);
+    EXPECT_EQ(soup.points[2], Vec3(17, 19, 23));
+    EXPECT_EQ(soup.bytesLeftOver, 0U);
+  }
+}
+
+// The area of a polygon's triangles, all of which turn as it does.
+double areaOf(const std::vector<Vec3>& points) {
+  std::vector<std::uint32_t> polygon(points.size());
+  std::iota(polygon.begin(), polygon.end(), 0U);
+  std::vector<Triangle> triangles;
+  triangulatePolygon(points, polygon, triangles);
+  EXPECT_EQ(triangles.size(), points.size() - 2);
+  double area = 0.0;
+  for (const Triangle& t : triangles)
+    area += 0.5 * std::abs((points[t[1]] - points[t[0]]).cross(points[t[2]] - points[t[0]]).z());
+  return area;
+}
+
+TEST(TriangulatePolygon, CutsCombsAndStarsOfAnyNumberOfCorners) {
+  for (const int teeth : {3, 40, 1500}) {
+    std::vector<Vec3> comb{{0, 0, 0}, {2.0 * teeth, 0, 0}};
+    for (int i = teeth; i-- > 0;) {
+      comb.emplace_back(2.0 * i + 2.0, 5, 0);
+      comb.emplace_back(2.0 * i + 1.0, 5, 0);
+      comb.emplace_back(2.0 * i + 1.0, 1, 0);
+      comb.emplace_back(2.0 * i, 1, 0);
+    }
+    EXPECT_NEAR(areaOf(comb), 2.0 * teeth + 4.0 * teeth, 1e-9 * teeth);
+    std::vector<Vec3> star;
+    for (int i = 0; i < 2 * teeth; ++i) {
+      const double angle = kPi * i / teeth;
+      const double radius = i % 2 == 0 ? 2.0 : 1.0;
+      star.emplace_back(radius * std::cos(angle), radius * std::sin(angle), 0);
+    }
+    EXPECT_NEAR(areaOf(star), teeth * 2.0 * std::sin(kPi / teeth), 1e-9 * teeth);
   }
 }
 
