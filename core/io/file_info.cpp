@@ -10,6 +10,7 @@
 #include "io/mesh_reader.h"
 #include "io/model_reader.h"
 #include "io/obj_reader.h"
+#include "io/ply_grid.h"
 #include "io/ply_mesh.h"
 #include "io/range_files.h"
 #include "io/scan_poses.h"
@@ -88,6 +89,7 @@ FileInfo describeRange(const std::string& path, const Progress& progress) {
   add(info, "samples", samples.points.size());
   add(info, "filled", static_cast<double>(samples.points.size()) / static_cast<double>(samples.cell.size()));
   add(info, "mm_per_unit", grid.scale);
+  if (grid.bytesLeftOver > 0) add(info, "bytes_left_over", grid.bytesLeftOver);
   addBox(info, boundingBox(Mesh{samples.points, {}}), "_mm");
   return info;
 }
@@ -103,7 +105,7 @@ FileInfo describePoints(const std::vector<Vec3>& points, const std::string& form
 
 FileInfo describePly(const std::string& path, const Progress& progress) {
   const PlyHeader header = readPlyHeader(path);
-  if (header.find("range_grid") != nullptr) return describeRange(path, progress);
+  if (isPlyGrid(header)) return describeRange(path, progress);
   if (isModel(header)) return describeModel(path, progress);
   const PlyElement* face = header.find("face");
   if (face == nullptr || face->count == 0) {
@@ -182,6 +184,9 @@ FileInfo describeFile(const std::string& path, const Progress& progress) {
     case FileKind::ThreeMf:
     case FileKind::OtherMesh:
       return describeMesh(path, progress);
+    case FileKind::Pcd:
+    case FileKind::Ptx:
+      return describeRange(path, progress);
     case FileKind::ScanPoses:
       return describePoses(path);
     case FileKind::Profile:

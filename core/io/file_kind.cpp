@@ -1,6 +1,7 @@
 #include "io/file_kind.h"
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 
 #include "base/errors.h"
@@ -19,16 +20,31 @@ std::string_view firstWord(std::string_view head) {
   return head.substr(begin, head.find_first_of(" \t\r\n", begin) - begin);
 }
 
+constexpr std::array<std::string_view, 5> kTextPoints{"xyz", "pts", "asc", "csv", "txt"};
+
+// Whether the first line is of numbers.
+bool beginsWithNumbers(std::string_view head) {
+  TextScanner text(head, {});
+  std::size_t numbers = 0;
+  for (std::string_view field = text.fieldOnLine(); !field.empty(); field = text.fieldOnLine()) {
+    if (!parseNumber(field.substr(0, field.find_first_of(",;")))) return false;
+    ++numbers;
+  }
+  return numbers > 0;
+}
+
 // Files whose content says what they are not.
 void refuseKnownOthers(const std::string& path, std::string_view head, const std::string& extension) {
+  const std::string instead = ", which is not supported: export a range file (PLY, PCD or PTX) or a mesh instead";
   if (head.starts_with("version https://git-lfs.github.com/"))
     throw InvalidInput(path + ": is a git-lfs pointer, not the file itself: fetch it with 'git lfs pull'");
   if (head.starts_with("ASTM-E57") || extension == "e57")
-    throw InvalidInput(path +
-                       ": is an E57 point cloud, which is not supported: export a PLY range file or a mesh instead");
-  if (extension == "ptx")
-    throw InvalidInput(path +
-                       ": is a PTX point cloud, which is not supported: export a PLY range file or a mesh instead");
+    throw InvalidInput(path + ": is an E57 point cloud" + instead);
+  if (head.starts_with("LASF") || extension == "las" || extension == "laz")
+    throw InvalidInput(path + ": is a LAS point cloud" + instead);
+  const bool listed = std::find(kTextPoints.begin(), kTextPoints.end(), extension) != kTextPoints.end();
+  if (listed && beginsWithNumbers(head))
+    throw InvalidInput(path + ": is a point cloud as text (XYZ), which has no rows and columns of samples" + instead);
 }
 
 }  // namespace
@@ -43,6 +59,7 @@ FileKind detectFileKind(const std::string& path) {
   const std::string extension = extensionOf(path);
   refuseKnownOthers(path, head, extension);
   if (looksLikePly(head)) return FileKind::Ply;
+  if (head.starts_with("# .PCD") || extension == "pcd") return FileKind::Pcd;
   if (head.starts_with(std::string_view("SQLite format 3\0", 16))) return FileKind::Session;
   if (extension == "ply")
     throw InvalidInput(path + ": begins with " + inQuotes(head) + ", a PLY file begins with the line 'ply'");
@@ -50,6 +67,7 @@ FileKind detectFileKind(const std::string& path) {
   if (extension == "obj") return FileKind::Obj;
   if (extension == "off") return FileKind::Off;
   if (extension == "3mf") return FileKind::ThreeMf;
+  if (extension == "ptx") return FileKind::Ptx;
   if (extension == "json") return FileKind::Profile;
   const std::string_view word = firstWord(head);
   if (word == "bmesh" || word == "camera" || extension == "conf") return FileKind::ScanPoses;

@@ -12,6 +12,8 @@ enum class FileKind {
   Obj,
   Off,
   ThreeMf,
+  Pcd,        ///< points of the Point Cloud Library
+  Ptx,        ///< points of a terrestrial scanner
   OtherMesh,  ///< a format that assimp reads
   ScanPoses,  ///< Stanford .conf
   Profile,    ///< JSON
@@ -22,9 +24,8 @@ enum class FileKind {
 [[nodiscard]] std::string extensionOf(const std::string& path);
 
 /// @throws IoError when the file is missing, a folder, empty or cannot be read
-/// @throws InvalidInput naming the file for a git-lfs pointer, for kinds that are known but not supported (E57, PTX)
-/// and for
-///         anything else: an extension that says mesh must not contradict the content
+/// @throws InvalidInput naming the file for a git-lfs pointer, for kinds that are known but not supported (E57,
+/// LAS, points as plain text) and for anything else: an extension that says mesh must not contradict the content
 [[nodiscard]] FileKind detectFileKind(const std::string& path);
 
 }  // namespace vantage

@@ -36,6 +36,9 @@ PolygonSoup readSoup(const std::string& path, const MeshReadOptions& options, co
       return readThreeMfSoup(FileBytes(path), options.maxUnpackedBytes, progress);
     case FileKind::OtherMesh:
       return readOther(path, options, progress);
+    case FileKind::Pcd:
+    case FileKind::Ptx:
+      throw InvalidInput(path + ": is a point cloud, expected a mesh with triangles");
     case FileKind::ScanPoses:
       throw InvalidInput(path + ": is a list of scan poses, expected a mesh");
     case FileKind::Profile:

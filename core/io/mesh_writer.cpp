@@ -6,6 +6,7 @@
 #include <charconv>
 #include <cstring>
 #include <limits>
+#include <string>
 #include <type_traits>
 
 #include "base/errors.h"
@@ -24,6 +25,9 @@ constexpr std::size_t kRowsPerCheckpoint = 65536;
 struct Surface {
   const Mesh& mesh;
   const Model* model;
+  Vec3 offset = Vec3::Zero();
+
+  [[nodiscard]] bool isFar() const { return !offset.isZero(0.0); }
 };
 
 void checkIndices(const Mesh& mesh) {
@@ -55,10 +59,15 @@ char* putVector(char* at, const Vec3& v) {
   return put(at, std::array<float, 3>{static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z())});
 }
 
+char* putDoubles(char* at, const Vec3& v) {
+  return put(at, std::array<double, 3>{v.x(), v.y(), v.z()});
+}
+
 std::string plyHeader(const Surface& surface) {
   std::string text = "ply\nformat binary_little_endian 1.0\ncomment millimetres\n";
   text += "element vertex " + std::to_string(surface.mesh.vertices.size()) + "\n";
-  text += "property float x\nproperty float y\nproperty float z\n";
+  const std::string real = surface.isFar() ? "double" : "float";
+  for (const char* axis : {"x", "y", "z"}) text += "property " + real + " " + axis + "\n";
   if (surface.model != nullptr) text += "property float confidence\n";
   text += "element face " + std::to_string(surface.mesh.triangles.size()) + "\n";
   text += "property list uchar int vertex_indices\n";
@@ -70,7 +79,9 @@ void writePly(const Surface& surface, AtomicFile& file, const Progress& progress
   file.write(plyHeader(surface));
   const Model* model = surface.model;
   forRows(surface.mesh.vertices.size(), progress.part(0.0, 0.5), [&](std::size_t i) {
-    char* at = putVector(file.grow(model != nullptr ? 16 : 12), surface.mesh.vertices[i]);
+    const Vec3& vertex = surface.mesh.vertices[i];
+    char* at = file.grow((surface.isFar() ? 24U : 12U) + (model != nullptr ? 4U : 0U));
+    at = surface.isFar() ? putDoubles(at, vertex + surface.offset) : putVector(at, vertex);
     if (model != nullptr) put(at, model->confidence[i]);
   });
   forRows(surface.mesh.triangles.size(), progress.part(0.5, 1.0), [&](std::size_t i) {
@@ -82,8 +93,9 @@ void writePly(const Surface& surface, AtomicFile& file, const Progress& progress
 
 void writeStl(const Surface& surface, AtomicFile& file, const Progress& progress) {
   std::array<char, 80> header{};
-  constexpr std::string_view kText = "binary STL, millimetres";
-  std::copy(kText.begin(), kText.end(), header.begin());
+  const std::string text =
+      surface.isFar() ? "binary STL, millimetres, without the offset of the scans" : "binary STL, millimetres";
+  std::copy(text.begin(), text.end(), header.begin());
   file.write({header.data(), header.size()});
   const std::size_t count = surface.mesh.triangles.size();
   if (count > std::numeric_limits<std::uint32_t>::max())
@@ -108,8 +120,12 @@ void writeObj(const Surface& surface, AtomicFile& file, const Progress& progress
   file.write("# millimetres\n");
   forRows(surface.mesh.vertices.size(), progress.part(0.0, 0.5), [&](std::size_t i) {
     char* at = putText(line.data(), "v");
-    for (int k = 0; k < 3; ++k)
-      at = std::to_chars(putText(at, " "), end, static_cast<float>(surface.mesh.vertices[i][k])).ptr;
+    for (int k = 0; k < 3; ++k) {
+      const double value = surface.mesh.vertices[i][k];
+      at = putText(at, " ");
+      at = surface.isFar() ? std::to_chars(at, end, value + surface.offset[k]).ptr
+                           : std::to_chars(at, end, static_cast<float>(value)).ptr;
+    }
     at = putText(at, "\n");
     file.write({line.data(), static_cast<std::size_t>(at - line.data())});
   });
@@ -136,10 +152,14 @@ void exportSurface(const Surface& surface, const std::string& path, const Progre
 
 }  // namespace
 
-void exportModel(const Model& model, const std::string& path, const Progress& progress) {
+void exportModel(const Model& model, const std::string& path, const Progress& progress, const Vec3& offset) {
   if (model.confidence.size() != model.mesh.vertices.size() || model.triangleView.size() != model.mesh.triangles.size())
     throw InvalidInput("the model's confidences and views do not match its vertices and triangles");
-  exportSurface({model.mesh, &model}, path, progress);
+  exportSurface({model.mesh, &model, offset}, path, progress);
+}
+
+bool holdsOffset(const std::string& path) {
+  return extensionOf(path) != "stl";
 }
 
 void exportMesh(const Mesh& mesh, const std::string& path, const Progress& progress) {

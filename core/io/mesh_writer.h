@@ -15,7 +15,13 @@ namespace vantage {
 /// Writes a model in the format that the extension names: .ply (binary little endian: vertices float x y z confidence,
 /// faces uchar/int list vertex_indices and int view), .stl (binary) or .obj. Coordinates in single precision,
 /// millimetres.
-void exportModel(const Model& model, const std::string& path, const Progress& progress = {});
+/// @param offset is added to every vertex; with one, PLY and OBJ have double precision. STL, which has single precision
+///        only, is written without: its header says so.
+void exportModel(const Model& model, const std::string& path, const Progress& progress = {},
+                 const Vec3& offset = Vec3::Zero());
+
+/// Whether a file of that name can hold an offset.
+[[nodiscard]] bool holdsOffset(const std::string& path);
 
 /// Writes a mesh likewise, without confidence and view.
 void exportMesh(const Mesh& mesh, const std::string& path, const Progress& progress = {});

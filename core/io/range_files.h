@@ -12,24 +12,22 @@ namespace vantage {
 
 /// What a range file holds.
 struct RangeGrid {
-  SampleGrid samples;       ///< [mm]
-  double scale = 1.0;       ///< millimetres per unit of the file
-  bool looksAlongZ = true;  ///< the scanner looks down along z; false for files written by us from other rays
+  SampleGrid samples;             ///< [mm]
+  double scale = 1.0;             ///< millimetres per unit of the file
+  std::size_t bytesLeftOver = 0;  ///< of the file, behind what it says that it holds
+  bool looksAlongZ = true;        ///< the scanner looks down along z; false for files written by us from other rays
 };
 
 struct RangeFileOptions {
-  /// Millimetres per unit of the file. Unset: as the file says (`obj_info unit_mm`), else metres when the longest side
-  /// of the points' bounding box is below 10 units, else millimetres.
+  /// Millimetres per unit of the file. Unset: as the file says (`obj_info unit_mm`), else the likelier of metres and
+  /// millimetres (see guessUnit).
   std::optional<double> scale;
   /// How far above the highest sample the reconstructed rays begin [mm].
   double standoff = 100.0;
 };
 
-/// Reads a PLY range file: `obj_info num_cols C`, `num_rows R`, elements vertex {x y z} and range_grid of R * C lists
-/// with 0 or 1 vertex index, cell k being row k / C, column k % C (Stanford 3D Scanning Repository).
-/// @throws IoError when it cannot be read
-/// @throws InvalidInput naming file, place and expectation; also for a PLY file without range_grid or without samples
-/// @throws Cancelled
+/// Reads the grid of a range file (see readGridFile) without the cells that say that nothing was measured.
+/// @throws as readGridFile
 [[nodiscard]] RangeGrid readRangeGrid(const std::string& path, const RangeFileOptions& options = {},
                                       const Progress& progress = {});
 

@@ -76,7 +76,7 @@ TEST(LoadMesh, RefusesOtherKindsByName) {
   expectRefused<InvalidInput>(
       folder.write("a.off", "version https://git-lfs.github.com/spec/v1\noid sha256:0\nsize 9\n"), {"git-lfs pointer"});
   expectRefused<InvalidInput>(folder.write("a.e57", "ASTM-E57 and so on"), {"E57", "not supported"});
-  expectRefused<InvalidInput>(folder.write("a.ptx", "2\n2\n"), {"PTX", "not supported"});
+  expectRefused<InvalidInput>(folder.write("a.ptx", "2\n2\n"), {"point cloud", "expected a mesh"});
   expectRefused<InvalidInput>(folder.write("a.json", "{}"), {"JSON", "expected a mesh"});
   expectRefused<InvalidInput>(folder.write("a.vantage", std::string("SQLite format 3\0...", 19)),
                               {"session", "expected a mesh"});

@@ -7,7 +7,9 @@
 
 #include "base/errors.h"
 #include "core/io/expect_error.h"
+#include "geometry/measures.h"
 #include "io/file_bytes.h"
+#include "io/mesh_reader.h"
 #include "io/model_reader.h"
 #include "support/meshes.h"
 #include "support/test_data.h"
@@ -50,6 +52,23 @@ TEST(ExportModel, PlyComesBackAsItWas) {
   expectSame(back, model);
   EXPECT_EQ(back.vertexView, std::vector<std::uint32_t>(model.mesh.vertices.size(), kNoIndex));
   EXPECT_TRUE(isModel(readPlyHeader(folder.file("model.ply"))));
+}
+
+TEST(ExportModel, AnOffsetIsPutBackWherePrecisionHoldsIt) {
+  const TemporaryFolder folder;
+  const Model model = makeModel();
+  const Vec3 far(403000000.0, 605000000.0, 1000.0);
+  Model moved = model;
+  for (Vec3& v : moved.mesh.vertices) v += far;
+  for (const char* name : {"model.ply", "model.obj"}) {
+    exportModel(model, folder.file(name), {}, far);
+    EXPECT_TRUE(holdsOffset(name));
+  }
+  EXPECT_NE(FileBytes(folder.file("model.obj")).text().find("v 403000000.25 6.05e+08 1000\n"), std::string_view::npos);
+  expectSame(readModel(folder.file("model.ply")), moved);
+  exportModel(model, folder.file("model.stl"), {}, far);
+  EXPECT_FALSE(holdsOffset("model.stl"));
+  EXPECT_EQ(boundingBox(loadMesh(folder.file("model.stl")).mesh).max, boundingBox(model.mesh).max);
 }
 
 TEST(ExportModel, AnEmptyModelIsStillAModel) {

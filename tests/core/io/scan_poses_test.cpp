@@ -35,6 +35,21 @@ TEST(ScanPoses, AreFoundByNameWithOrWithoutFolderAndExtension) {
   EXPECT_FALSE(findPose(poses, "three.ply"));
 }
 
+TEST(ScanPoses, KnowNamesWithBlanksPlainAndInQuotes) {
+  const TemporaryFolder folder;
+  const auto poses = readScanPoses(
+      folder.write("a.conf",
+                   "bmesh front view.ply 1 0 0 0 0 0 1\nbmesh \"left  view 2.ply\" 2 0 0 0 0 0 1\n"
+                   "bmesh 'back view' 3 0 0 0 0 0 1\nbmesh scan 1 4 0 0 0 0 0 1\nbmesh plain.ply 5 0 0 0 0 0 1 # x\n"),
+      1.0);
+  ASSERT_EQ(poses.size(), 5U);
+  EXPECT_EQ(findPose(poses, "in/front view.ply")->translation().x(), 1.0);
+  EXPECT_EQ(findPose(poses, "left  view 2.ply")->translation().x(), 2.0);
+  EXPECT_EQ(findPose(poses, "back view.pcd")->translation().x(), 3.0);
+  EXPECT_EQ(findPose(poses, "scan 1.ptx")->translation().x(), 4.0);
+  EXPECT_EQ(findPose(poses, "plain.ply")->translation().x(), 5.0);
+}
+
 TEST(ScanPoses, RefuseBrokenRecordsByLine) {
   const TemporaryFolder folder;
   auto refuse = [&](const std::string& text, const std::vector<std::string>& parts) {

@@ -1,0 +1,67 @@
+#include "io/grid_file.h"
+
+#include <utility>
+
+#include "base/errors.h"
+#include "io/file_kind.h"
+#include "io/pcd_reader.h"
+#include "io/ply_grid.h"
+#include "io/ptx_reader.h"
+
+namespace vantage {
+namespace {
+
+GridFile readKind(const std::string& path, const Progress& progress) {
+  switch (detectFileKind(path)) {
+    case FileKind::Ply:
+      return readPlyGrid(FileBytes(path), progress);
+    case FileKind::Pcd:
+      return readPcd(FileBytes(path), progress);
+    case FileKind::Ptx:
+      return readPtx(FileBytes(path), progress);
+    case FileKind::Session:
+      throw InvalidInput(path + ": is a session, expected a range file (PLY, PCD or PTX)");
+    case FileKind::Profile:
+    case FileKind::ScanPoses:
+      throw InvalidInput(path + ": holds no samples, expected a range file (PLY, PCD or PTX)");
+    default:
+      break;
+  }
+  throw InvalidInput(path + ": is a mesh, expected a range file (PLY, PCD or PTX) with rows and columns of samples");
+}
+
+}  // namespace
+
+void keepUsedPoints(SampleGrid& grid) {
+  std::vector<Vec3> used;
+  for (std::uint32_t& index : grid.cell) {
+    if (index == kNoIndex) continue;
+    used.push_back(grid.points[index]);
+    index = static_cast<std::uint32_t>(used.size() - 1);
+  }
+  grid.points = std::move(used);
+}
+
+SampleGrid gridOf(std::size_t rows, std::size_t columns, std::vector<Vec3> points, const std::string& path) {
+  if (rows < 2 || columns < 2 || rows > kMaxGridCells / columns)
+    throw InvalidInput(path + ": has a grid of " + std::to_string(rows) + " x " + std::to_string(columns) +
+                       " cells, expected 2 x 2 up to " + std::to_string(kMaxGridCells) + " in all");
+  if (points.size() != rows * columns)
+    throw InvalidInput(path + ": has " + std::to_string(points.size()) + " points for a grid of " +
+                       std::to_string(rows) + " x " + std::to_string(columns) + " cells");
+  SampleGrid grid{static_cast<int>(rows), static_cast<int>(columns), std::move(points), {}};
+  grid.cell.resize(grid.points.size());
+  for (std::size_t i = 0; i < grid.cell.size(); ++i)
+    grid.cell[i] = grid.points[i].allFinite() ? static_cast<std::uint32_t>(i) : kNoIndex;
+  return grid;
+}
+
+GridFile readGridFile(const std::string& path, const Progress& progress) {
+  GridFile file = readKind(path, progress);
+  keepUsedPoints(file.samples);
+  if (file.samples.points.empty())
+    throw InvalidInput(path + ": has no samples, expected at least one cell of its grid with a point");
+  return file;
+}
+
+}  // namespace vantage

@@ -1,0 +1,150 @@
+#include "io/no_sample.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "io/grid_file.h"
+
+namespace vantage {
+namespace {
+
+// A point is a mark when so many cells share it; a zero point already when it stands there twice.
+constexpr std::size_t kLeastRepeats = 8;
+constexpr double kRepeatedShare = 0.002;
+constexpr std::size_t kLeastZeros = 2;
+// A plane of constant depth: at least so many of the cells, at equal depth but for rounding.
+constexpr double kPlaneShare = 0.02;
+constexpr std::size_t kLeastPlane = 20;
+constexpr double kEqualDepth = 1e-6;
+// It is no surface when it lies so many times the size of the rest behind it, or half of that size where the rest has
+// noise and it has none.
+constexpr double kFarGap = 3.0;
+constexpr double kSomeGap = 0.5;
+constexpr double kDistinctShare = 0.5;
+// Farther from the median than this many times the middle half of the values.
+constexpr double kOutOfProportion = 1000.0;
+
+std::vector<Vec3> pointsOf(const SampleGrid& grid) {
+  std::vector<Vec3> points;
+  points.reserve(grid.cell.size());
+  for (const std::uint32_t cell : grid.cell)
+    if (cell != kNoIndex) points.push_back(grid.points[cell]);
+  return points;
+}
+
+bool before(const Vec3& a, const Vec3& b) {
+  return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);
+}
+
+// The point that most cells share, and how many do.
+std::pair<Vec3, std::size_t> mostRepeated(std::vector<Vec3> points) {
+  std::sort(points.begin(), points.end(), before);
+  std::pair<Vec3, std::size_t> most{Vec3::Zero(), 0};
+  for (std::size_t i = 0, j = 0; i < points.size(); i = j) {
+    while (j < points.size() && points[j] == points[i]) ++j;
+    if (j - i > most.second) most = {points[i], j - i};
+  }
+  return most;
+}
+
+class Dropper {
+ public:
+  Dropper(SampleGrid& grid, std::optional<double> given) : grid_(grid), given_(given) {}
+
+  NoSamples drop() {
+    if (given_)
+      take(NoSampleMark::Given, [&](const Vec3& p) { return p.z() == *given_ || p == Vec3::Constant(*given_); });
+    dropZeros();
+    while (dropRepeated()) {
+    }
+    for (int k = 0; k < 3; ++k) dropOutliers(k);
+    for (const bool high : {false, true}) dropPlane(high);
+    return found_;
+  }
+
+ private:
+  template <typename Predicate>
+  void take(NoSampleMark mark, const Predicate& isNone) {
+    const std::size_t dropped = dropSamples(grid_, isNone);
+    if (dropped > mostOfOne_) {
+      mostOfOne_ = dropped;
+      found_.mark = mark;
+    }
+    found_.dropped += dropped;
+  }
+
+  void dropZeros() {
+    const auto isZero = [](const Vec3& p) { return p.isZero(0.0); };
+    const auto points = pointsOf(grid_);
+    if (static_cast<std::size_t>(std::count_if(points.begin(), points.end(), isZero)) >= kLeastZeros)
+      take(NoSampleMark::Zero, isZero);
+  }
+
+  bool dropRepeated() {
+    const auto [point, count] = mostRepeated(pointsOf(grid_));
+    const double least = kRepeatedShare * static_cast<double>(grid_.cell.size());
+    if (count < kLeastRepeats || static_cast<double>(count) < least) return false;
+    const Vec3 mark = point;
+    take(NoSampleMark::Repeated, [&](const Vec3& p) { return p == mark; });
+    return true;
+  }
+
+  void dropOutliers(int k) {
+    std::vector<double> values;
+    for (const Vec3& p : pointsOf(grid_)) values.push_back(p[k]);
+    if (values.size() < 4) return;
+    std::sort(values.begin(), values.end());
+    const double middle = values[values.size() / 2];
+    const double half = values[3 * values.size() / 4] - values[values.size() / 4];
+    if (!(half > 0.0)) return;
+    take(NoSampleMark::Outlier, [&](const Vec3& p) { return std::abs(p[k] - middle) > kOutOfProportion * half; });
+  }
+
+  // The samples of the least or the greatest depth.
+  void dropPlane(bool high) {
+    std::vector<Vec3> points = pointsOf(grid_);
+    if (points.size() < 2 * kLeastPlane) return;
+    std::sort(points.begin(), points.end(), [](const Vec3& a, const Vec3& b) { return a.z() < b.z(); });
+    if (high) std::reverse(points.begin(), points.end());
+    const double depth = points.front().z();
+    const auto isEqual = [&](const Vec3& p) { return std::abs(p.z() - depth) <= kEqualDepth * std::abs(depth); };
+    const auto rest = std::find_if_not(points.begin(), points.end(), isEqual);
+    const auto count = static_cast<std::size_t>(rest - points.begin());
+    const double least = kPlaneShare * static_cast<double>(grid_.cell.size());
+    if (count < kLeastPlane || static_cast<double>(count) < least || rest == points.end()) return;
+    if (isNoSurface({rest, points.end()}, std::abs(rest->z() - depth))) take(NoSampleMark::FarPlane, isEqual);
+  }
+
+  // Whether a plane so far from the rest of the samples is none.
+  static bool isNoSurface(const std::vector<Vec3>& rest, double gap) {
+    Vec3 low = rest.front();
+    Vec3 high = rest.front();
+    for (const Vec3& p : rest) {
+      low = low.cwiseMin(p);
+      high = high.cwiseMax(p);
+    }
+    const double size = (high - low).maxCoeff();
+    if (gap > kFarGap * size) return true;
+    std::size_t distinct = 1;
+    for (std::size_t i = 1; i < rest.size(); ++i) distinct += rest[i].z() != rest[i - 1].z() ? 1U : 0U;
+    const bool varies = static_cast<double>(distinct) > kDistinctShare * static_cast<double>(rest.size());
+    return varies && gap > kSomeGap * size;
+  }
+
+  SampleGrid& grid_;
+  std::optional<double> given_;
+  NoSamples found_;
+  std::size_t mostOfOne_ = 0;
+};
+
+}  // namespace
+
+NoSamples dropNoSamples(SampleGrid& grid, std::optional<double> given) {
+  NoSamples found = Dropper(grid, given).drop();
+  if (found.dropped > 0) keepUsedPoints(grid);
+  return found;
+}
+
+}  // namespace vantage

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/progress.h"
+#include "io/scan_poses.h"
+#include "scanner/profile.h"
+#include "scanner/range_image.h"
+#include "scanner/scan_reading.h"
+
+namespace vantage {
+
+/// What an operator says about the axes of range files.
+enum class FrameChoice : std::uint8_t { LooksXUp, LooksXDown, LooksYUp, LooksYDown, LooksZUp, LooksZDown, World, Turn };
+
+/// "auto" is nothing; "x+", "x-", ... "z-": the scanner looks along that axis; "camera" is z+, "gl" is z-; "world": the
+/// points are in the object's coordinates; "cylinder": columns go around an axis.
+/// @throws InvalidInput for anything else
+[[nodiscard]] std::optional<FrameChoice> parseFrame(std::string_view text);
+
+/// What an operator says about range files; what is not said is found, or taken as usual.
+struct ScanReadingOptions {
+  std::optional<double> unit;  ///< millimetres per unit
+  std::optional<FrameChoice> frame;
+  std::optional<double> noSample;  ///< see dropNoSamples
+  std::optional<Axis> up;          ///< of the world; nothing: z
+  double standoff = 100.0;         ///< how far before the nearest sample reconstructed rays begin [mm]
+};
+
+/// A scan of a file, with its pose where a list or the file has one, and as what it was read.
+struct ReadScan {
+  std::size_t file = 0;  ///< index into the list of files
+  RangeImage image;
+  ScanReading reading;
+};
+
+/// Reads the range files of one scanner together: what no file says is found from all of them and their poses. Most
+/// files are one scan; a grid that goes around an axis is several.
+/// @param list of poses, with a scale of 1; null without one. Files then have the poses that they carry themselves.
+/// @param profile null: rays are reconstructed from the grids.
+/// @throws IoError when a file cannot be read
+/// @throws InvalidInput naming file, place and expectation; where the numbers do not tell unit or viewing direction,
+///         naming the option that does; Cancelled
+[[nodiscard]] std::vector<ReadScan> readScans(const std::vector<std::string>& files, const std::vector<ScanPose>* list,
+                                              const ScannerProfile* profile, const ScanReadingOptions& options,
+                                              const Progress& progress = {});
+
+/// One file that a scanner with a profile took from a position of its workspace.
+/// @throws as readScans
+[[nodiscard]] ReadScan readScanAt(const std::string& file, const ScannerProfile& profile, int position,
+                                  const ScanReadingOptions& options, const Progress& progress = {});
+
+}  // namespace vantage
