@@ -39,8 +39,11 @@ SharedSetUp prepareSetUp(const SetUpChoice& choice, const std::string& cacheFold
   setUp->source = readProfileSource(choice.scanner);
   setUp->profile = std::make_shared<const ScannerProfile>(parseProfile(setUp->source));
   if (!choice.settings.simulation.object.empty()) {
-    PlacedMesh loaded = loadPlacedMesh(choice.settings.simulation.object, choice.settings.simulation.placement,
-                                       setUp->profile->viewingVolume, progress.part(0.05, 0.4, "read object"));
+    const SimulationSettings& simulation = choice.settings.simulation;
+    const PlacementOptions placement{simulation.placement, simulation.unit};
+    PlacedMesh loaded = loadPlacedMesh(simulation.object, placement, setUp->profile->viewingVolume,
+                                       progress.part(0.05, 0.4, "read object"));
+    requireClearUnit(simulation.object, placement, loaded.mesh, *setUp->profile);
     setUp->notes = describe(loaded.repair);
     placeObject(*setUp, std::make_shared<const Mesh>(std::move(loaded.mesh)));
   }

@@ -1,9 +1,11 @@
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 #include "base/errors.h"
 #include "cli/command.h"
 #include "cli/new_session.h"
+#include "cli/reading_arguments.h"
 #include "cli/session_run.h"
 #include "cli/settings_arguments.h"
 #include "cli/text.h"
@@ -18,16 +20,21 @@ struct AcquireArguments {
   std::string out;
   std::string object;
   bool replace = false;
+  std::optional<double> unit;  ///< of the mesh [mm]
   SettingsArguments given;
   AcquisitionSettings settings;  ///< as given
 };
 
 // The object as the scanner will see it.
 Mesh placeObject(const AcquireArguments& args, const ScannerProfile& profile, CommandContext& context) {
-  PlacedMesh object = loadPlacedMesh(args.settings.simulation.object, args.settings.simulation.placement,
-                                     profile.viewingVolume, context.progress().part(0.0, 1.0, "read object"));
+  const SimulationSettings& simulation = args.settings.simulation;
+  const PlacementOptions placement{simulation.placement, simulation.unit};
+  PlacedMesh object = loadPlacedMesh(simulation.object, placement, profile.viewingVolume,
+                                     context.progress().part(0.0, 1.0, "read object"));
+  requireClearUnit(simulation.object, placement, object.mesh, profile);
   if (const std::string repair = describe(object.repair); !repair.empty())
     context.note(args.settings.simulation.object + ": " + repair);
+  if (simulation.unit) context.note("unit: 1 = " + number(*simulation.unit, 3) + " mm, as given");
   if (args.settings.simulation.placement == Placement::Fit)
     context.note("placed: scaled by " + number(object.transform.scale, 6) + ", moved by (" +
                  number(object.transform.translation.x(), 3) + ", " + number(object.transform.translation.y(), 3) +
@@ -74,12 +81,18 @@ void addAcquireCommand(CLI::App& app, CommandContext& context) {
   args->given.addShorthand(*command, "--max-views", "max_views");
   args->given.addShorthand(*command, "--tolerance", "planner.tolerance");
   args->given.addShorthand(*command, "--place", "simulation.placement");
+  command
+      ->add_option_function<std::string>(
+          "--unit", [args](const std::string& text) { args->unit = unitNamed(text); },
+          "Unit of the mesh: mm, cm, inch or m; mm where it is not given")
+      ->type_name("UNIT");
   args->given.addShorthand(*command, "--first-view", "first_view");
   args->given.addShorthand(*command, "--strategy", "strategy");
   context.addCommonOptions(*command);
   command->callback([args, &context] {
     args->settings = args->given.applied({});
     args->settings.simulation.object = args->object;
+    if (args->unit) args->settings.simulation.unit = args->unit;
     run(*args, context);
   });
 }

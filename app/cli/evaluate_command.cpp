@@ -24,7 +24,7 @@ struct EvaluateArguments {
 
 struct AcquiredModel {
   Mesh mesh;
-  Placement placement = Placement::AsIs;  // of the object it was scanned from
+  PlacementOptions placement = {};  // of the object it was scanned from
 };
 
 AcquiredModel loadModel(const std::string& path, CommandContext& context) {
@@ -32,13 +32,14 @@ AcquiredModel loadModel(const std::string& path, CommandContext& context) {
     return {loadMesh(path, {}, context.progress().part(0.0, 0.1, "read model")).mesh};
   const auto state = readSession(path, context);
   if (!state->model) throw InvalidInput(path + ": has no model yet, expected at least one view");
-  return {state->model->mesh, state->settings.simulation.placement};
+  return {state->model->mesh, {state->settings.simulation.placement, state->settings.simulation.unit}};
 }
 
 void run(const EvaluateArguments& args, CommandContext& context) {
   const ScannerProfile profile = loadProfile(args.scanner);
   const AcquiredModel model = loadModel(args.model, context);
-  const Placement placement = args.placement ? parsePlacement(*args.placement) : model.placement;
+  PlacementOptions placement = model.placement;
+  if (args.placement) placement.placement = parsePlacement(*args.placement);
   const Mesh object =
       loadPlacedMesh(args.object, placement, profile.viewingVolume, context.progress().part(0.1, 0.2, "read object"))
           .mesh;

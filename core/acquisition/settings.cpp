@@ -26,7 +26,7 @@ constexpr std::array<Ascending, 10> kAscending{{{"registration.final_gate", "reg
                                                 {"refinement.coarse_points", "refinement.fine_points"}}};
 
 // Settings that an acquisition keeps once it has scans.
-constexpr std::array<std::string_view, 4> kLasting{"simulation.object", "simulation.placement",
+constexpr std::array<std::string_view, 5> kLasting{"simulation.object", "simulation.placement", "simulation.unit",
                                                    "triangulation.angle_slack", "triangulation.discontinuity_factor"};
 
 double magnitudeOf(const SettingValue& value) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -30,8 +31,9 @@ struct Strategy {
 struct SimulationSettings {
   std::string object;  ///< file that it looks at; empty for recorded scans
   Placement placement = Placement::AsIs;
-  std::uint64_t seed = 1;  ///< of noise and mechanics, and of the random strategy
-  bool ideal = false;      ///< no noise, no dropout, no mechanical error
+  std::optional<double> unit;  ///< of the file [mm]; unset: millimetres, where that can be
+  std::uint64_t seed = 1;      ///< of noise and mechanics, and of the random strategy
+  bool ideal = false;          ///< no noise, no dropout, no mechanical error
 };
 
 /// What a session was asked to do: the options of every operation that its steps run. What follows from the scanner's

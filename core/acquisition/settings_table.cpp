@@ -41,6 +41,9 @@ std::vector<SettingField> acquisitionFields() {
       choice<&Settings::simulation, &Simulation::placement>(
           Basic, "simulation.placement", "Place object", {"as-is", "fit"}, "as-is",
           "Take the mesh where it is, or scale and centre it into the viewing volume."),
+      number<&Settings::simulation, &Simulation::unit>(
+          Basic, "simulation.unit", "Unit of the mesh", "mm", 1e-6, 1e6, "auto",
+          "Millimetres in a unit of the mesh file: 10 for centimetres, 25.4 for inches, 1000 for metres."),
       number<&Settings::simulation, &Simulation::seed>(Basic, "simulation.seed", "Seed", "", 0, kMostSeed, "1",
                                                        "Seed of the simulated scanner's noise and mechanics."),
       onOff<&Settings::simulation, &Simulation::ideal>(Basic, "simulation.ideal", "Ideal scanner", "false",

@@ -1,12 +1,15 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "base/progress.h"
 #include "geometry/mesh.h"
 #include "io/mesh_repair.h"
+#include "scanner/length_unit.h"
 #include "scanner/profile.h"
 
 namespace vantage {
@@ -44,9 +47,32 @@ struct PlacedMesh {
   PlacementTransform transform;
 };
 
+/// How the file of an object is read.
+struct PlacementOptions {
+  Placement placement = Placement::AsIs;
+  std::optional<double> unit;  ///< millimetres in a unit of the file; unset: 1
+};
+
 /// Reads a mesh and places it. @throws as loadMesh and computePlacement
-[[nodiscard]] PlacedMesh loadPlacedMesh(const std::string& path, Placement placement, const ViewingVolume& volume,
-                                        const Progress& progress = {});
+[[nodiscard]] PlacedMesh loadPlacedMesh(const std::string& path, const PlacementOptions& options,
+                                        const ViewingVolume& volume, const Progress& progress = {});
+
+/// A unit in which a mesh would be an object for a scanner, and its longest side in it.
+struct PossibleUnit {
+  LengthUnit unit = LengthUnit::Millimetre;
+  double size = 0.0;     ///< [mm]
+  double samples = 0.0;  ///< of the scanner across it
+};
+
+/// When a mesh that is taken as millimetres is so small that fewer than ten samples of the scanner lie across it: the
+/// units in which it has more and fits into the viewing volume, that as millimetres first. Empty for every other mesh,
+/// and when no unit would do.
+[[nodiscard]] std::vector<PossibleUnit> unitsInDoubt(const Mesh& mesh, const ScannerProfile& profile);
+
+/// @throws InvalidInput naming file, sizes and option when no unit was given and unitsInDoubt has some for a mesh that
+/// stays as it is
+void requireClearUnit(const std::string& path, const PlacementOptions& options, const Mesh& mesh,
+                      const ScannerProfile& profile);
 
 /// Whether every vertex lies in the viewing volume, with `slack` [mm] to spare on all sides.
 [[nodiscard]] bool isInside(const Mesh& mesh, const ViewingVolume& volume, double slack = 0.5);

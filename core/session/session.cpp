@@ -276,9 +276,9 @@ Mesh Session::object(const Progress& progress) const {
   guard.unlock();
   if (!stored) throw InvalidInput(path() + ": has no object that a simulated scanner could look at");
   if (stored->mesh) return std::move(*stored->mesh);
-  Mesh object =
-      loadPlacedMesh(settings.simulation.object, settings.simulation.placement, profile()->viewingVolume, progress)
-          .mesh;
+  Mesh object = loadPlacedMesh(settings.simulation.object, {settings.simulation.placement, settings.simulation.unit},
+                               profile()->viewingVolume, progress)
+                    .mesh;
   if (hashText(contentHash(object)) != stored->hash)
     throw InvalidInput(settings.simulation.object + ": has changed since " + path() +
                        " was begun, which needs it as it was");

@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 
 #include "base/errors.h"
+#include "core/io/expect_error.h"
 #include "geometry/measures.h"
 #include "io/mesh_writer.h"
+#include "scanner/ray_patterns.h"
 #include "support/meshes.h"
 #include "support/test_data.h"
 
@@ -60,10 +62,44 @@ TEST(Placement, AMeshThatIsReadLiesWhereItsTransformTakesIt) {
   const Mesh box = testing::makeBox({2, 2, 3}, {4, 4, 13});
   exportMesh(box, folder.file("box.ply"));
   const ViewingVolume volume{100.0, 200.0};
-  EXPECT_EQ(loadPlacedMesh(folder.file("box.ply"), Placement::AsIs, volume).mesh.vertices, box.vertices);
-  const PlacedMesh fitted = loadPlacedMesh(folder.file("box.ply"), Placement::Fit, volume);
+  EXPECT_EQ(loadPlacedMesh(folder.file("box.ply"), {}, volume).mesh.vertices, box.vertices);
+  const PlacedMesh fitted = loadPlacedMesh(folder.file("box.ply"), {Placement::Fit, {}}, volume);
   EXPECT_EQ(fitted.mesh.vertices, placed(box, fitted.transform).vertices);
   EXPECT_NEAR(boundingBox(fitted.mesh).size().z(), kFittedShare * volume.height, 1e-9);
+}
+
+// A camera with a pixel per millimetre at the axis, before a volume of 100 x 200 mm.
+ScannerProfile cameraProfile() {
+  ScannerProfile profile;
+  profile.rays =
+      std::make_shared<const RayGrid>(makeRays(Pinhole{{400, 0, 100}, {0, 0, 100}, 100, 100, 0.25, 0.25}, {}));
+  profile.viewingVolume = {100.0, 200.0};
+  profile.workspace.poses = {Pose::Identity()};
+  return profile;
+}
+
+TEST(Placement, AMeshTooSmallForTheScannerIsOfAnotherUnit) {
+  const ScannerProfile profile = cameraProfile();
+  const Mesh part = testing::makeBox({0, 0, 0}, {1, 2, 3});
+  const auto units = unitsInDoubt(part, profile);
+  ASSERT_EQ(units.size(), 3U);
+  EXPECT_EQ(units[1].unit, LengthUnit::Centimetre);
+  EXPECT_EQ(units[2].unit, LengthUnit::Inch);
+  EXPECT_NEAR(units[2].size, 76.2, 1e-9);
+  testing::expectError<InvalidInput>([&] { requireClearUnit("part.stl", {}, part, profile); },
+                                     {"part.stl", "3 mm in size", "cm (30 mm), inch (76.2 mm)", "--unit"});
+  requireClearUnit("part.stl", {Placement::AsIs, 1.0}, part, profile);
+  requireClearUnit("part.stl", {Placement::Fit, {}}, part, profile);
+  requireClearUnit("part.stl", {}, testing::makeBox({0, 0, 0}, {10, 20, 30}), profile);
+}
+
+TEST(Placement, TheUnitOfTheFileScalesTheMesh) {
+  const testing::TemporaryFolder folder;
+  exportMesh(testing::makeBox({0, 0, 0}, {1, 2, 3}), folder.file("box.ply"));
+  const ViewingVolume volume{100.0, 200.0};
+  const PlacedMesh inches = loadPlacedMesh(folder.file("box.ply"), {Placement::AsIs, 25.4}, volume);
+  EXPECT_NEAR(boundingBox(inches.mesh).size().z(), 76.2, 1e-5);
+  EXPECT_EQ(inches.transform.scale, 25.4);
 }
 
 TEST(Placement, IsInsideKnowsAllSidesOfTheCylinder) {

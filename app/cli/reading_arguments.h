@@ -1,0 +1,31 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+#include "io/scan_reader.h"
+
+namespace vantage {
+
+/// What the command line says about range files: --unit, --frame, --up and --no-sample.
+class ReadingArguments {
+ public:
+  /// Adds the options. This must outlive the command.
+  void addTo(CLI::App& command);
+  /// Adds those that files of a scanner with a profile can need: --unit and --no-sample.
+  void addForProfile(CLI::App& command);
+
+  [[nodiscard]] const ScanReadingOptions& options() const { return options_; }
+
+ private:
+  ScanReadingOptions options_;
+};
+
+/// Millimetres in the unit of that name. @throws CLI::ValidationError when there is none
+[[nodiscard]] double unitNamed(const std::string& text);
+
+/// Lines that say as what files were read, one for all that were read alike.
+[[nodiscard]] std::string readingLines(const std::vector<std::string>& files, const std::vector<ReadScan>& scans);
+
+}  // namespace vantage
