@@ -427,9 +427,9 @@ void SessionController::exportModel(const QString& path) {
   if (!allowed(whyNotExport())) return;
   start<bool>(
       Activity::Writing, tr("Writing %1").arg(path),
-      [model = now_->model, path = path.toStdString(), inputs = filesInUse()](const Progress& progress) {
+      [state = now_, path = path.toStdString(), inputs = filesInUse()](const Progress& progress) {
         checkOutput(path, OutputKind::Mesh, inputs);
-        vantage::exportModel(*model, path, progress);
+        vantage::exportModel(*state->model, path, progress, worldOffset(outlineOf(*state)));
         return true;
       },
       [this, path](bool) { emit written(path); });

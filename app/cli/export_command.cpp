@@ -3,6 +3,7 @@
 
 #include "cli/command.h"
 #include "cli/open_session.h"
+#include "cli/text.h"
 #include "geometry/measures.h"
 #include "io/mesh_writer.h"
 #include "io/output_file.h"
@@ -27,15 +28,28 @@ std::string opennessOf(const MeshMeasures& measures) {
                                      : "open: " + counted(measures.boundaryLoops, "opening") + pieces;
 }
 
+// What became of the offset of scans that were far from the origin.
+void addOffset(const Vec3& offset, const std::string& file, nlohmann::ordered_json& json, std::string& text) {
+  if (offset.isZero(0.0)) return;
+  const bool held = holdsOffset(file);
+  json["offset_mm"] = {offset.x(), offset.y(), offset.z()};
+  json["offset_put_back"] = held;
+  text += "the offset of the scans, (" + number(offset.x(), 0) + ", " + number(offset.y(), 0) + ", " +
+          number(offset.z(), 0) + ") mm, " +
+          (held ? "was put back\n" : "is not in the file, whose single precision could not hold it; PLY and OBJ can\n");
+}
+
 void run(const ExportArguments& args, CommandContext& context) {
   checkOutput(args.out, OutputKind::Mesh, std::vector{args.session});
-  const auto read = readSessionModel(args.session, context);
-  exportModel(*read, args.out, context.progress().part(0.5, 1.0, "write model"));
-  const auto model = modelJson(read->mesh);
-  const MeshMeasures measures = measure(read->mesh);
-  context.result(
-      {{"file", args.out}, {"model", model}, {"openings", measures.boundaryLoops}, {"pieces", measures.components}},
-      args.out + ": " + model["triangles"].dump() + " triangles, " + opennessOf(measures) + "\n");
+  const SessionModel read = readSessionModel(args.session, context);
+  exportModel(*read.model, args.out, context.progress().part(0.5, 1.0, "write model"), read.offset);
+  const auto model = modelJson(read.model->mesh);
+  const MeshMeasures measures = measure(read.model->mesh);
+  nlohmann::ordered_json json{
+      {"file", args.out}, {"model", model}, {"openings", measures.boundaryLoops}, {"pieces", measures.components}};
+  std::string text = args.out + ": " + model["triangles"].dump() + " triangles, " + opennessOf(measures) + "\n";
+  addOffset(read.offset, args.out, json, text);
+  context.result(json, text);
 }
 
 }  // namespace

@@ -1,17 +1,16 @@
+#include <algorithm>
 #include <memory>
 #include <optional>
 
 #include "acquisition/acquisition.h"
-#include "acquisition/import_scans.h"
 #include "base/errors.h"
 #include "cli/command.h"
+#include "cli/import_result.h"
 #include "cli/new_session.h"
+#include "cli/reading_arguments.h"
 #include "cli/settings_arguments.h"
-#include "cli/text.h"
-#include "io/range_files.h"
 #include "io/scan_poses.h"
-#include "report/report.h"
-#include "report/wording.h"
+#include "session/import_note.h"
 #include "session/session_place.h"
 
 namespace vantage {
@@ -21,53 +20,60 @@ struct ImportArguments {
   std::vector<std::string> files;
   std::string poses;
   std::string scanner = "generic";
+  std::vector<int> positions;
   std::string session;
   bool replace = false;
+  ReadingArguments reading;
   SettingsArguments given;
 };
 
-// The scans with the poses that the list gives them.
-std::vector<RangeImage> readScans(const ImportArguments& args, const ScannerProfile* profile,
-                                  const Progress& progress) {
-  std::vector<RangeImage> scans;
-  std::vector<ScanPose> poses;
-  for (const std::string& file : args.files) {
-    progress.checkpoint(static_cast<double>(scans.size()) / static_cast<double>(args.files.size()));
-    if (!args.poses.empty() && poses.empty()) poses = readScanPoses(args.poses, readRangeGrid(file).scale);
-    RangeImage scan = profile != nullptr ? readRangeFile(file, profile->rays) : readRangeFile(file);
-    if (!args.poses.empty()) {
-      const auto pose = findPose(poses, file);
-      if (!pose) throw InvalidInput(args.poses + ": has no pose for " + file);
-      scan.T_table_scanner = *pose;
-      scan.poseKnownBy = PoseSource::Reported;
-    }
-    scans.push_back(std::move(scan));
+void checkPositions(const ImportArguments& args, const ScannerProfile* profile) {
+  if (profile == nullptr) throw InvalidInput("--position needs --scanner PROFILE.json, which has the positions");
+  if (!args.poses.empty()) throw InvalidInput("--position and --poses both say where the scans were taken: give one");
+  if (args.positions.size() != args.files.size())
+    throw InvalidInput("--position has " + std::to_string(args.positions.size()) + " positions for " +
+                       std::to_string(args.files.size()) + " files, expected one for each");
+  const auto count = static_cast<int>(profile->workspace.size());
+  for (const int position : args.positions)
+    if (position >= count)
+      throw InvalidInput("--position is " + std::to_string(position) + ", the workspace has positions 0 to " +
+                         std::to_string(count - 1));
+}
+
+// The scans with the poses that the list or their positions give them.
+std::vector<ReadScan> readAll(const ImportArguments& args, const ScannerProfile* profile, const Progress& progress) {
+  if (args.positions.empty()) {
+    std::optional<std::vector<ScanPose>> list;
+    if (!args.poses.empty()) list = readScanPoses(args.poses, 1.0);
+    return readScans(args.files, list ? &*list : nullptr, profile, args.reading.options(), progress);
+  }
+  checkPositions(args, profile);
+  std::vector<ReadScan> scans;
+  for (std::size_t i = 0; i < args.files.size(); ++i) {
+    progress.checkpoint(static_cast<double>(i) / static_cast<double>(args.files.size()));
+    scans.push_back(readScanAt(args.files[i], *profile, args.positions[i], args.reading.options()));
+    scans.back().file = i;
   }
   return scans;
 }
 
-nlohmann::ordered_json importJson(const ImportArguments& args, const AcquisitionState& state,
-                                  const VoidSurface& voids) {
-  nlohmann::ordered_json json{{"session", args.session}, {"scans", nlohmann::ordered_json::array()}};
-  for (std::size_t i = 0; i < args.files.size(); ++i) {
-    const RegistrationResult& registration = state.scans[i].record.registration;
-    json["scans"].push_back({{"file", args.files[i]},
-                             {"verdict", name(registration.verdict)},
-                             {"reason", describe(registration.finding)},
-                             {"reason_code", name(registration.finding.reason)},
-                             {"rms_mm", registration.rms},
-                             {"inliers", registration.inlierShare}});
+// The files, with a number where one file is several scans.
+std::vector<std::string> labelsOf(const std::vector<std::string>& files, const std::vector<ReadScan>& scans) {
+  std::vector<std::string> labels;
+  std::vector<std::size_t> part(files.size(), 0);
+  for (const ReadScan& scan : scans) ++part[scan.file];
+  const std::vector<std::size_t> parts = part;
+  std::fill(part.begin(), part.end(), 0);
+  for (const ReadScan& scan : scans) {
+    const std::string number =
+        parts[scan.file] > 1 ? " part " + std::to_string(++part[scan.file]) + " of " + std::to_string(parts[scan.file])
+                             : std::string();
+    labels.push_back(files[scan.file] + number);
   }
-  json["model"] = modelJson(state.model->mesh);
-  double length = 0.0;
-  for (const VoidPatch& patch : voids.patches) length += patch.width;
-  json["void"] = voidCountsJson(voids);
-  json["void"]["length_mm"] = length;
-  return json;
+  return labels;
 }
 
 void run(const ImportArguments& args, CommandContext& context) {
-  checkSessionPlace(args.session, args.replace);
   std::optional<ProfileSource> source;
   std::shared_ptr<const ScannerProfile> profile;
   if (args.scanner != "generic") {
@@ -75,26 +81,26 @@ void run(const ImportArguments& args, CommandContext& context) {
     profile = std::make_shared<const ScannerProfile>(parseProfile(*source));
   }
   const Progress progress = context.progress();
-  std::vector<RangeImage> images = readScans(args, profile.get(), progress.part(0.0, 0.1, "read scans"));
+  std::vector<ReadScan> scans = readAll(args, profile.get(), progress.part(0.0, 0.1, "read scans"));
+  checkSessionPlace(args.session, args.replace);
+  const std::string lines = readingLines(args.files, scans);
+  const std::vector<std::string> labels = labelsOf(args.files, scans);
+  std::vector<RangeImage> images;
+  std::vector<ScanReading> readings;
+  for (ReadScan& scan : scans) {
+    images.push_back(std::move(scan.image));
+    readings.push_back(scan.reading);
+  }
   std::shared_ptr<const AcquisitionState> state;
   workOnNewSession({args.session, args.replace, false, {source, args.given.applied({}), nullptr, profile}}, context,
                    [&](Session& session) {
-                     Acquisition(session).importScans(std::move(images), progress.part(0.1, 0.9));
+                     noteImport(session, readings);
+                     Acquisition(session).importScans(std::move(images), progress.part(0.1, 0.9), readings);
                      state = session.state();
                    });
-  const VoidSurface voids = buildVoidPatches(*state->model, viewsOf(*state), importOptionsFor(*state).voidSpace,
-                                             progress.part(0.9, 1.0, "void_patches"));
-
-  const auto json = importJson(args, *state, voids);
-  std::string text;
-  for (const auto& scan : json["scans"])
-    text += scan["file"].get<std::string>() + ": " + scan["verdict"].get<std::string>() + ", " +
-            number(scan["rms_mm"].get<double>(), 3) + " mm, " + scan["reason"].get<std::string>() + "\n";
-  text += "model: " + json["model"]["triangles"].dump() + " triangles, " + json["model"]["boundary_edges"].dump() +
-          " boundary edges, " + json["model"]["non_manifold_edges"].dump() +
-          " non-manifold\nstill void: " + std::to_string(voids.patches.size()) + " patches along " +
-          number(json["void"]["length_mm"].get<double>(), 0) + " mm of boundary\nwritten: " + args.session + "\n";
-  context.result(json, text, warningsOf(*state));
+  if (state->model->mesh.empty())
+    context.note(lines + "if that is not right, say --unit, --frame or --no-sample (import --help)");
+  announceImport({args.session, labels, lines}, *state, context, progress.part(0.9, 1.0));
 }
 
 }  // namespace
@@ -102,13 +108,19 @@ void run(const ImportArguments& args, CommandContext& context) {
 void addImportCommand(CLI::App& app, CommandContext& context) {
   auto args = std::make_shared<ImportArguments>();
   CLI::App* command = app.add_subcommand("import", "Register and integrate recorded scans and say what is still void");
-  command->add_option("range", args->files, "PLY range files")->required();
+  command->add_option("range", args->files, "Range files: PLY with rows and columns, organised PCD, PTX")->required();
   command->add_option("--poses", args->poses, "Stanford .conf with a rough pose for every scan");
-  command->add_option("--scanner", args->scanner, "Scanner profile (JSON), or generic for parallel rays along -z")
+  command->add_option("--scanner", args->scanner, "Scanner profile (JSON), or generic: the rays are found")
       ->capture_default_str();
+  command->add_option("--position", args->positions, "Positions of the profile's workspace that they were taken from")
+      ->type_name("N,...")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->check(CLI::NonNegativeNumber);
   command->add_option("--session", args->session, "Session file to write")->required();
   command->add_flag("--replace", args->replace,
                     "Replace a session of that name; it is kept aside until the new one is whole");
+  args->reading.addTo(*command);
   args->given.addTo(*command);
   context.addCommonOptions(*command);
   command->callback([args, &context] { run(*args, context); });

@@ -29,11 +29,11 @@ std::shared_ptr<const AcquisitionState> readSession(const std::string& path, Com
   return state;
 }
 
-std::shared_ptr<const Model> readSessionModel(const std::string& path, CommandContext& context) {
+SessionModel readSessionModel(const std::string& path, CommandContext& context) {
   const Session session = openSession(path, SessionAccess::Read, context);
   auto model = session.model(session.history().cursor());
   if (!model) throw InvalidInput(path + ": has no model yet, expected at least one view");
-  return model;
+  return {std::move(model), worldOffset(*session.history().current().outline)};
 }
 
 }  // namespace vantage

@@ -13,8 +13,14 @@ namespace vantage {
 /// The state at the cursor of a session, opened for reading.
 [[nodiscard]] std::shared_ptr<const AcquisitionState> readSession(const std::string& path, CommandContext& context);
 
+/// A model, and what was taken off its scans (see worldOffset).
+struct SessionModel {
+  std::shared_ptr<const Model> model;
+  Vec3 offset = Vec3::Zero();  ///< [mm]
+};
+
 /// The model at the cursor; nothing else is read.
 /// @throws InvalidInput when there is none yet
-[[nodiscard]] std::shared_ptr<const Model> readSessionModel(const std::string& path, CommandContext& context);
+[[nodiscard]] SessionModel readSessionModel(const std::string& path, CommandContext& context);
 
 }  // namespace vantage

@@ -1,11 +1,14 @@
 #include <filesystem>
 #include <memory>
 
+#include "acquisition/acquisition.h"
 #include "cli/command.h"
+#include "cli/import_result.h"
 #include "cli/new_session.h"
 #include "cli/open_session.h"
 #include "cli/session_run.h"
 #include "cli/settings_arguments.h"
+#include "session/import_note.h"
 
 namespace vantage {
 namespace {
@@ -16,8 +19,18 @@ struct ResumeArguments {
   SettingsArguments given;
 };
 
+// Goes on with an import whose scans were all kept.
+void finishImport(Session& session, const ImportScans& import, CommandContext& context) {
+  std::vector<std::string> labels;
+  for (const std::int64_t scan : import.scans) labels.push_back("scan " + std::to_string(scan));
+  const Progress progress = context.progress();
+  Acquisition(session).carryOut(import, progress.part(0.0, 0.9));
+  announceImport({session.path(), labels, {}}, *session.state(), context, progress.part(0.9, 1.0));
+}
+
 void run(const ResumeArguments& args, CommandContext& context) {
   Session session = openSession(args.session, SessionAccess::Write, context);
+  if (const auto import = interruptedImport(session)) return finishImport(session, *import, context);
   if (!args.given.empty()) changeSettings(session, args.given.appliedToSession(session.state()->settings), context);
   const auto object = std::make_shared<const Mesh>(session.object(context.progress()));
   const std::string beside = std::filesystem::absolute(args.session).parent_path().string();
@@ -32,8 +45,8 @@ void run(const ResumeArguments& args, CommandContext& context) {
 
 void addResumeCommand(CLI::App& app, CommandContext& context) {
   auto args = std::make_shared<ResumeArguments>();
-  CLI::App* command =
-      app.add_subcommand("resume", "Go on with an interrupted acquisition before the simulated scanner");
+  CLI::App* command = app.add_subcommand(
+      "resume", "Go on with an interrupted import, or with an acquisition before the simulated scanner");
   command->add_option("session", args->session, "Session file")->required();
   command->add_option("--out", args->out, "Folder for model and report; beside the session when not given");
   args->given.addTo(*command);

@@ -5,11 +5,12 @@
 #include "cli/cache_directory.h"
 #include "cli/command.h"
 #include "cli/open_session.h"
+#include "cli/reading_arguments.h"
 #include "cli/session_run.h"
 #include "cli/settings_arguments.h"
-#include "io/range_files.h"
 #include "positional_space/scanner_images_cache.h"
 #include "report/report.h"
+#include "session/reading_json.h"
 
 namespace vantage {
 namespace {
@@ -18,21 +19,18 @@ struct StepArguments {
   std::string session;
   std::string range;
   int position = 0;
+  ReadingArguments reading;
   SettingsArguments given;
 };
 
 // The scan as the session's scanner takes it at that position.
-RangeImage readScan(const StepArguments& args, const Session& session, const Progress& progress) {
+ReadScan readScan(const StepArguments& args, const Session& session, const Progress& progress) {
   const auto profile = session.profile();
   if (!profile) throw InvalidInput(args.session + ": has no scanner profile, so no positions to scan from");
   if (args.position >= static_cast<int>(profile->workspace.size()))
     throw InvalidInput("--position is " + std::to_string(args.position) + ", the workspace has positions 0 to " +
                        std::to_string(profile->workspace.size() - 1));
-  RangeImage image = readRangeFile(args.range, profile->rays, {}, progress);
-  image.station.position = args.position;
-  image.poseKnownBy = PoseSource::Commanded;
-  image.T_table_scanner = profile->workspace.poses[static_cast<std::size_t>(args.position)];
-  return image;
+  return readScanAt(args.range, *profile, args.position, args.reading.options(), progress);
 }
 
 nlohmann::ordered_json stepJson(const AcquisitionState& state) {
@@ -50,17 +48,19 @@ void run(const StepArguments& args, CommandContext& context) {
   Session session = openSession(args.session, SessionAccess::Write, context);
   if (!args.given.empty()) changeSettings(session, args.given.appliedToSession(session.state()->settings), context);
   const Progress progress = context.progress();
-  RangeImage image = readScan(args, session, progress.part(0.0, 0.1, "read scan"));
+  ReadScan scan = readScan(args, session, progress.part(0.0, 0.1, "read scan"));
   const auto images = std::make_shared<const ScannerImages>(loadScannerImages(
       *session.profile(), cacheDirectory(), progress.part(0.1, 0.2, "positional space of the scanner")));
   Acquisition acquisition(session, {{}, images});
-  acquisition.addScan(std::move(image), progress.part(0.2, 1.0));
+  acquisition.addScan(std::move(scan.image), progress.part(0.2, 1.0));
 
   const auto after = session.state();
   const std::optional<int> next = nextPosition(*after);
   const std::string then = next ? "next best view: position " + std::to_string(*next)
                                 : "nothing is left to scan: " + std::string(name(after->termination));
-  context.result(stepJson(*after), lastScanLine(*after) + "\n" + then + "\n",
+  auto json = stepJson(*after);
+  json["reading"] = readingJson(scan.reading);
+  context.result(json, readingLines({args.range}, {scan}) + lastScanLine(*after) + "\n" + then + "\n",
                  warningsOf(*after, after->scans.size() - 1));
 }
 
@@ -70,10 +70,11 @@ void addStepCommand(CLI::App& app, CommandContext& context) {
   auto args = std::make_shared<StepArguments>();
   CLI::App* command = app.add_subcommand("step", "Add one scan of the session's scanner: register, integrate, plan");
   command->add_option("session", args->session, "Session file")->required();
-  command->add_option("--range", args->range, "PLY range file with the rays of the session's scanner")->required();
+  command->add_option("--range", args->range, "Range file with the rays of the session's scanner")->required();
   command->add_option("--position", args->position, "Position of the workspace that it was taken from")
       ->required()
       ->check(CLI::NonNegativeNumber);
+  args->reading.addForProfile(*command);
   args->given.addTo(*command);
   context.addCommonOptions(*command);
   command->callback([args, &context] { run(*args, context); });

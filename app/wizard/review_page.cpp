@@ -9,6 +9,7 @@
 #include "geometry/measures.h"
 #include "report/areas_known.h"
 #include "report/edges_left.h"
+#include "report/reading_words.h"
 #include "report/wording.h"
 #include "why_card.h"
 #include "wording.h"
@@ -31,6 +32,13 @@ QString statusText(const KeptScan& scan) {
       break;
   }
   return scan.record.registration.verdict == Verdict::Good ? ReviewPage::tr("good") : ReviewPage::tr("doubtful");
+}
+
+// As what recorded scans were read: of the first one, the tips of the list have all.
+QString readingText(const AcquisitionState& state) {
+  if (state.scans.empty() || !state.scans.front().record.reading) return {};
+  return QStringLiteral("\n") +
+         ReviewPage::tr("Read as: %1.").arg(translated(phraseOf(*state.scans.front().record.reading)));
 }
 
 }  // namespace
@@ -103,7 +111,7 @@ void ReviewPage::refresh() {
     reason_->setText(tr("Nothing has been scanned yet."));
     return;
   }
-  reason_->setText(endingText(*now));
+  reason_->setText(endingText(*now) + readingText(*now));
   figures_->add(tr("Views"), QString::number(countScans(*now, ScanStatus::In)));
   figures_->add(tr("Surface"), areaText(area(now->model->mesh)));
   figures_->add(tr("Triangles"), QString::number(now->model->mesh.triangles.size()));
@@ -133,10 +141,12 @@ void ReviewPage::addScan(const KeptScan& scan) {
   const QString texts[] = {QString::number(scan.number), position ? QString::number(*position) : tr("none"),
                            in && areasKnown(scan.record) ? figureText(scan.record.newArea) : QString(),
                            in || leftOut ? figureText(registration.rms, 3) : QString(), statusText(scan)};
+  QString tip = translated(phraseOf(registration.finding));
+  if (scan.record.reading) tip += QStringLiteral("\n") + translated(phraseOf(*scan.record.reading));
   for (int column = 0; column < 5; ++column) {
     auto* item = new QTableWidgetItem(texts[column]);
     item->setTextAlignment((column < 4 ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
-    item->setToolTip(translated(phraseOf(registration.finding)));
+    item->setToolTip(tip);
     views_->setItem(row, column, item);
   }
   views_->item(row, 0)->setData(kScanRole, static_cast<qlonglong>(scan.number));

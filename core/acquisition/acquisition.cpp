@@ -70,8 +70,9 @@ void Acquisition::addScan(RangeImage image, const Progress& progress) {
   carryOut(command, progress);
 }
 
-void Acquisition::importScans(std::vector<RangeImage> images, const Progress& progress) {
-  ImportScans command;
+void Acquisition::importScans(std::vector<RangeImage> images, const Progress& progress,
+                              std::vector<ScanReading> readings) {
+  ImportScans command{{}, std::move(readings)};
   for (RangeImage& image : images) command.scans.push_back(journal_.keepScan(std::move(image)).number);
   carryOut(command, progress);
 }

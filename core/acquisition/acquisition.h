@@ -52,7 +52,9 @@ class Acquisition {
   /// Keeps a scan that was taken in the stand of now and adds it. @throws as carryOut
   void addScan(RangeImage image, const Progress& progress = {});
   /// Keeps recorded scans and imports them all at once. @throws as carryOut
-  void importScans(std::vector<RangeImage> images, const Progress& progress = {});
+  /// @param readings as what each of them was read; none where that is not known
+  void importScans(std::vector<RangeImage> images, const Progress& progress = {},
+                   std::vector<ScanReading> readings = {});
 
   /// Scans from the position that comes next and adds the scan. Plans first where a plan is needed. Steps reported:
   /// scan, and those of applyCommand.

@@ -18,6 +18,12 @@ StateOutline outlineOf(const AcquisitionState& state) {
   return outline;
 }
 
+Vec3 worldOffset(const StateOutline& outline) {
+  for (const OutlinedScan& scan : outline.scans)
+    if (scan.record && scan.record->reading) return scan.record->reading->offset;
+  return Vec3::Zero();
+}
+
 std::size_t countScans(const StateOutline& outline, ScanStatus status) {
   return static_cast<std::size_t>(std::count_if(outline.scans.begin(), outline.scans.end(),
                                                 [&](const OutlinedScan& scan) { return scan.status == status; }));

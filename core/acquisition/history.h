@@ -36,6 +36,8 @@ struct StateOutline {
 /// A state without its large parts and without the steps that made them.
 [[nodiscard]] StateOutline outlineOf(const AcquisitionState& state);
 [[nodiscard]] std::size_t countScans(const StateOutline& outline, ScanStatus status);
+/// What was taken off recorded scans that were far from the origin [mm]: p_world = p_object + offset.
+[[nodiscard]] Vec3 worldOffset(const StateOutline& outline);
 
 /// One command that was carried out, and what it led to.
 struct HistoryEntry {

@@ -8,6 +8,7 @@
 #include "acquisition/phase_times.h"
 #include "planning/plan.h"
 #include "registration/icp.h"
+#include "scanner/scan_reading.h"
 #include "scanner/triangulation.h"
 
 namespace vantage {
@@ -28,6 +29,7 @@ struct ScanRecord {
   std::size_t samples = 0;
   std::size_t triangles = 0;               ///< of the scan's own mesh
   std::optional<PositionScore> predicted;  ///< by the plan that chose it
+  std::optional<ScanReading> reading;      ///< of a recorded scan: as what its file was read
   RegistrationResult registration;         ///< against the model before it; of the first view trivially good
   double newArea = 0.0;                    ///< what the model's area grew by [mm^2]
   double overlapArea = 0.0;                ///< of the scan's area what the model had already [mm^2]

@@ -55,7 +55,9 @@ Answer ImportScans::mayDo(const AcquisitionState& state) const {
 AcquisitionState ImportScans::carriedOut(const AcquisitionState& state, const CommandTools& tools) const {
   std::vector<NumberedScan> numbered;
   for (const std::int64_t scan : scans) numbered.push_back({scan, tools.input().scan(scan)});
-  return importScans(state, numbered, importOptionsFor(state), tools.progress());
+  AcquisitionState next = importScans(state, numbered, importOptionsFor(state), tools.progress());
+  for (std::size_t i = 0; i < readings.size() && i < next.scans.size(); ++i) next.scans[i].record.reading = readings[i];
+  return next;
 }
 
 Answer LeaveOutView::mayDo(const AcquisitionState& state) const {

@@ -34,10 +34,12 @@ struct AddScan {
 struct ImportScans {
   static constexpr std::string_view kKind = "import_scans";
   std::vector<std::int64_t> scans;
+  std::vector<ScanReading> readings = {};  ///< as what every scan was read; none where that is not known
 
   template <typename Self, typename Field>
   static void fields(Self& self, Field&& field) {
     field("scans", self.scans);
+    field("readings", self.readings);
   }
   [[nodiscard]] std::optional<Refusal> mayDo(const AcquisitionState& state) const;
   [[nodiscard]] AcquisitionState carriedOut(const AcquisitionState& state, const CommandTools& tools) const;

@@ -11,6 +11,7 @@
 #include "planning/choice.h"
 #include "report/areas_known.h"
 #include "report/edges_left.h"
+#include "report/reading_words.h"
 #include "report/report.h"
 #include "report/svg_chart.h"
 #include "report/wording.h"
@@ -89,6 +90,19 @@ std::string endingText(const AcquisitionState& state) {
   return text;
 }
 
+// As what recorded scans were read, once for all that were read alike.
+std::string readingRows(const AcquisitionState& state) {
+  std::vector<std::string> said;
+  for (const KeptScan& scan : state.scans) {
+    if (!scan.record.reading) continue;
+    const std::string text = english(phraseOf(*scan.record.reading));
+    if (std::find(said.begin(), said.end(), text) == said.end()) said.push_back(text);
+  }
+  std::string html;
+  for (const std::string& text : said) html += row({"Scans read as", escapedHtml(text)});
+  return html;
+}
+
 std::string summaryHtml(const AcquisitionState& state) {
   const AcquisitionSettings& settings = state.settings;
   const auto model = modelJson(state.model ? state.model->mesh : Mesh{});
@@ -101,6 +115,7 @@ std::string summaryHtml(const AcquisitionState& state) {
                             std::to_string(countScans(state, ScanStatus::LeftOut)) + " left out"});
   html +=
       row({"Model", model["triangles"].dump() + " triangles, " + figure(model["area_mm2"].get<double>(), 0) + " mm²"});
+  html += readingRows(state);
   html += row({"Boundary", model["boundary_edges"].dump() + " edges"});
   return html + "</table>\n";
 }

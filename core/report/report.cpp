@@ -9,6 +9,7 @@
 #include "geometry/measures.h"
 #include "report/edges_left.h"
 #include "report/wording.h"
+#include "session/reading_json.h"
 
 namespace vantage {
 namespace {
@@ -49,6 +50,11 @@ int positionOf(const KeptScan& scan) {
   return scan.station().position.value_or(-1);
 }
 
+// Of a recorded scan: as what its file was read.
+void addReading(Json& json, const ScanRecord& record) {
+  if (record.reading) json["reading"] = readingJson(*record.reading);
+}
+
 Json viewJson(const KeptScan& scan, std::size_t index) {
   const ScanRecord& record = scan.record;
   Json json{{"index", index},
@@ -61,6 +67,7 @@ Json viewJson(const KeptScan& scan, std::size_t index) {
             {"predicted", record.predicted ? predictedJson(*record.predicted) : Json(nullptr)},
             {"achieved", {{"new_area_mm2", record.newArea}, {"overlap_mm2", record.overlapArea}}},
             {"registration", registrationJson(record.registration)}};
+  addReading(json, record);
   if (record.planAfter) {
     json["objective"] = objectiveJson(*record.planAfter);
     json["void_patches"] = voidJson(*record.planAfter);
@@ -74,10 +81,12 @@ Json viewJson(const KeptScan& scan, std::size_t index) {
 }
 
 Json otherScanJson(const KeptScan& scan) {
-  return {{"scan", scan.number},
-          {"stand", scan.station().stand},
-          {"position", positionOf(scan)},
-          {"registration", registrationJson(scan.record.registration)}};
+  Json json{{"scan", scan.number},
+            {"stand", scan.station().stand},
+            {"position", positionOf(scan)},
+            {"registration", registrationJson(scan.record.registration)}};
+  addReading(json, scan.record);
+  return json;
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 
 #include "acquisition/settings_json.h"
 #include "session/json_fields.h"
+#include "session/reading_json.h"
 #include "session/value_json.h"
 
 namespace vantage {
@@ -25,6 +26,9 @@ class FieldWriter {
   void operator()(const char* key, std::optional<int> position) { json_[key] = position.value_or(-1); }
   void operator()(const char* key, const std::optional<Pose>& pose) { json_[key] = standPoseJson(pose); }
   void operator()(const char* key, const Pose& pose) { json_[key] = poseJson(pose); }
+  void operator()(const char* key, const std::vector<ScanReading>& readings) {
+    if (!readings.empty()) json_[key] = readingsJson(readings);
+  }
   template <typename Value>
   void operator()(const char* key, const Value& value) {
     if constexpr (std::is_enum_v<Value>)
@@ -69,6 +73,9 @@ class FieldReader {
     number = fields_.integer(key, 0, std::numeric_limits<std::int64_t>::max());
   }
   void operator()(const char* key, int& number) { number = fields_.integer(key); }
+  void operator()(const char* key, std::vector<ScanReading>& readings) {
+    if (fields_.has(key)) readings = readingsFrom(fields_.list(key), fields_.what());
+  }
   void operator()(const char* key, std::vector<std::int64_t>& numbers) {
     for (const Json& number : fields_.list(key)) {
       if (!number.is_number_unsigned()) fields_.fail(key);

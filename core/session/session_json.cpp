@@ -5,6 +5,7 @@
 #include "acquisition/settings_json.h"
 #include "session/earlier_wording.h"
 #include "session/json_fields.h"
+#include "session/reading_json.h"
 #include "session/value_json.h"
 
 namespace vantage {
@@ -117,6 +118,7 @@ std::string recordText(const OutlinedScan& scan) {
             {"seconds", Json::object()}};
   for (const auto& [phase, seconds] : r.seconds) json["seconds"][std::string(name(phase))] = seconds;
   if (r.predicted) json["predicted"] = predictionJson(*r.predicted);
+  if (r.reading) json["reading"] = readingJson(*r.reading);
   return json.dump();
 }
 
@@ -130,6 +132,7 @@ ScanRecord recordFromText(const std::string& text, const std::string& what) {
   r.newArea = fields.number("new_area_mm2");
   r.overlapArea = fields.number("overlap_mm2");
   if (fields.has("predicted")) r.predicted = predictionFrom(fields.object("predicted"));
+  if (fields.has("reading")) r.reading = readingFrom(fields.object("reading"));
   if (!fields.has("seconds") || !json["seconds"].is_object()) fields.fail("seconds");
   for (const auto& [step, seconds] : json["seconds"].items())
     if (const auto phase = phaseFromEarlier(step); phase && seconds.is_number())

@@ -83,6 +83,22 @@ void addImage(ContentHash& hash, const RangeImage& image) {
   hash.add(image.range);
 }
 
+void addReading(ContentHash& hash, const ScanReading& reading) {
+  hash.add(reading.unit);
+  hash.add(reading.unitKnownBy);
+  hash.add(reading.sightKind);
+  addPoint(hash, reading.sight);
+  hash.add(reading.sightKnownBy);
+  hash.add(reading.noSample);
+  hash.add(static_cast<std::uint64_t>(reading.dropped));
+  hash.add(reading.exchanged);
+  hash.add(reading.placed);
+  addPoint(hash, reading.offset);
+  hash.add(reading.poseUnit);
+  hash.add(reading.poseUnitKnownBy);
+  hash.add(reading.up);
+}
+
 void addScan(ContentHash& hash, const KeptScan& scan) {
   const ScanRecord& record = scan.record;
   hash.add(scan.number);
@@ -94,6 +110,7 @@ void addScan(ContentHash& hash, const KeptScan& scan) {
   hash.add(record.overlapArea);
   hash.add(record.predicted.has_value());
   if (record.predicted) addScore(hash, *record.predicted);
+  if (record.reading) addReading(hash, *record.reading);
   hash.add(record.planAfter != nullptr);
   if (record.planAfter) addPlan(hash, *record.planAfter);
 }
