@@ -74,6 +74,7 @@ std::vector<std::string> labelsOf(const std::vector<std::string>& files, const s
 }
 
 void run(const ImportArguments& args, CommandContext& context) {
+  checkSessionPlace(args.session, args.replace);
   std::optional<ProfileSource> source;
   std::shared_ptr<const ScannerProfile> profile;
   if (args.scanner != "generic") {
@@ -82,7 +83,6 @@ void run(const ImportArguments& args, CommandContext& context) {
   }
   const Progress progress = context.progress();
   std::vector<ReadScan> scans = readAll(args, profile.get(), progress.part(0.0, 0.1, "read scans"));
-  checkSessionPlace(args.session, args.replace);
   const std::string lines = readingLines(args.files, scans);
   const std::vector<std::string> labels = labelsOf(args.files, scans);
   std::vector<RangeImage> images;

@@ -46,8 +46,8 @@ struct AcquisitionSettings {
   TriangulationOptions triangulation;
   IcpOptions registration;
   MultiViewOptions refinement;
-  AlignmentSampling alignment;  ///< of scans that are imported together
-  ZipperOptions zipper;
+  AlignmentSampling alignment;         ///< of scans that are imported together
+  ZipperOptions zipper{.mend = true};  ///< mended once all scans are there: imports
   ConsensusOptions consensus;
   PlannerOptions planner;
 };

@@ -297,6 +297,9 @@ std::vector<SettingField> integrationFields() {
       number<&Settings::zipper, &Zipper::minIslandTriangles>(Expert, "zipper.min_island_triangles", "Smallest piece",
                                                              "", 0, kMostPoints, "6",
                                                              "Pieces of fewer triangles are dropped."),
+      onOff<&Settings::zipper, &Zipper::mend>(
+          Expert, "zipper.mend", "Mend", "false",
+          "Openings of a model of recorded scans are closed where a view has measured surface, and crumbs go."),
       number<&Settings::consensus, &Consensus::maxOffset>(
           Expert, "consensus.max_offset", "Largest offset", "mm", 0, 1e6, "0.6",
           "A view's surface farther than this along a vertex's normal is another surface."),

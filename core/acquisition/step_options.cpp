@@ -16,6 +16,7 @@ StepOptions withBreakdownAngle(const AcquisitionSettings& settings, double break
                       settings.planner};
   options.triangulation.breakdownAngle = breakdownAngle;
   options.zipper.breakdownAngle = breakdownAngle;
+  options.zipper.mend = false;
   options.planner.voidSpace.breakdownAngle = breakdownAngle;
   return options;
 }
@@ -32,14 +33,14 @@ StepOptions stepOptionsFor(const AcquisitionState& state) {
   StepOptions options = state.profile ? stepOptionsFor(*state.profile, state.settings)
                                       : withBreakdownAngle(state.settings, kRecordedBreakdownAngle);
   if (!state.profile && !options.triangulation.angleSlack) options.triangulation.angleSlack = kRecordedAngleSlack;
-  options.zipper.mend = state.termination == Termination::Imported;
+  options.zipper.mend = state.settings.zipper.mend && state.termination == Termination::Imported;
   return options;
 }
 
 ImportOptions importOptionsFor(const AcquisitionState& state) {
   StepOptions step = stepOptionsFor(state);
   // All scans are there.
-  step.zipper.mend = true;
+  step.zipper.mend = state.settings.zipper.mend;
   return {step.triangulation,
           {step.registration, step.refinement, state.settings.alignment},
           step.zipper,
