@@ -14,14 +14,11 @@ namespace vantage {
 namespace {
 
 using testing::around;
+using testing::flat;
 using testing::Height;
 using testing::lookDown;
 using testing::makeSphere;
 using testing::scanFrom;
-
-Height flat(double z) {
-  return [z](double, double) { return z; };
-}
 
 // Farthest that a vertex is from the height, of those around the middle of a 41 x 41 window where views do not fade.
 double deviationInside(const Model& model, double z) {

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 
 #include "geometry/measures.h"
 #include "scenes.h"
@@ -12,17 +11,15 @@ namespace vantage {
 namespace {
 
 using testing::eulerCharacteristic;
+using testing::flat;
 using testing::Height;
+using testing::kNothing;
 using testing::lookDown;
 using testing::modelOf;
 using testing::Window;
 
-constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 const Window kWindow{12, 12, 0.0, 0.0};
 
-Height flat(double z) {
-  return [z](double, double) { return z; };
-}
 Height flatWithGap(const Vec2& from, const Vec2& to) {
   return
       [=](double x, double y) { return x >= from.x() && x <= to.x() && y >= from.y() && y <= to.y() ? kNothing : 0.0; };

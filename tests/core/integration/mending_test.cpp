@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <stop_token>
 
 #include "base/errors.h"
@@ -15,19 +14,15 @@
 namespace vantage {
 namespace {
 
-using testing::countBowTies;
-using testing::eulerCharacteristic;
+using testing::expectDisc;
+using testing::flat;
 using testing::Height;
+using testing::kNothing;
 using testing::lookDown;
 using testing::modelOf;
 using testing::Window;
 
-constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 const Window kWindow{31, 31, 0.0, 0.0};
-
-Height flat(double z) {
-  return [z](double, double) { return z; };
-}
 
 // A window without samples in a box.
 Height without(const Vec2& from, const Vec2& to, const Height& height) {
@@ -46,15 +41,6 @@ Model cutOut(const View& view, const Vec2& from, const Vec2& to) {
   Model model = modelOf(mesh);
   for (std::size_t v = 0; v < model.vertexSample.size(); ++v) model.vertexSample[v] = view.mesh->sample[v];
   return model;
-}
-
-void expectDisc(const Mesh& mesh) {
-  const MeshMeasures m = measure(mesh);
-  EXPECT_EQ(m.components, 1U);
-  EXPECT_EQ(m.boundaryLoops, 1U);
-  EXPECT_EQ(m.nonManifoldEdges, 0U);
-  EXPECT_EQ(eulerCharacteristic(mesh), 1);
-  EXPECT_EQ(countBowTies(mesh), 0U);
 }
 
 TEST(Mend, SlitThatAViewHasMeasuredCloses) {

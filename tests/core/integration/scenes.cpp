@@ -1,8 +1,11 @@
 #include "scenes.h"
 
+#include <gtest/gtest.h>
+
 #include <cmath>
 #include <set>
 
+#include "geometry/measures.h"
 #include "integration/manifold.h"
 #include "scanner/profile.h"
 #include "scanner/ray_patterns.h"
@@ -89,6 +92,19 @@ std::size_t countBowTies(const Mesh& mesh) {
   std::size_t count = 0;
   for (std::uint32_t v = 0; v < editor.vertexCount(); ++v) count += isSingleFan(editor, v) ? 0 : 1;
   return count;
+}
+
+Height flat(double z) {
+  return [z](double, double) { return z; };
+}
+
+void expectDisc(const Mesh& mesh) {
+  const MeshMeasures m = measure(mesh);
+  EXPECT_EQ(m.components, 1U);
+  EXPECT_EQ(m.boundaryLoops, 1U);
+  EXPECT_EQ(m.nonManifoldEdges, 0U);
+  EXPECT_EQ(eulerCharacteristic(mesh), 1);
+  EXPECT_EQ(countBowTies(mesh), 0U);
 }
 
 }  // namespace vantage::testing

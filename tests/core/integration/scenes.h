@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <vector>
 
 #include "geometry/mesh.h"
@@ -20,6 +21,10 @@ struct Window {
 
 /// Height of the surface at x, y [mm]; NaN where the scanner sees nothing.
 using Height = std::function<double(double, double)>;
+/// Where the scanner sees nothing.
+inline constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
+/// The same height everywhere.
+[[nodiscard]] Height flat(double z);
 
 /// A view straight down on a height field with parallel rays, in object coordinates but for the pose.
 [[nodiscard]] View lookDown(const Window& window, const Height& height,
@@ -44,5 +49,8 @@ struct Direction {
 
 /// Vertices with more than one fan of triangles.
 [[nodiscard]] std::size_t countBowTies(const Mesh& mesh);
+
+/// Expects one piece with one border and no hole, manifold everywhere.
+void expectDisc(const Mesh& mesh);
 
 }  // namespace vantage::testing

@@ -12,25 +12,11 @@
 namespace vantage {
 namespace {
 
-using testing::countBowTies;
-using testing::eulerCharacteristic;
+using testing::expectDisc;
+using testing::flat;
 using testing::Height;
+using testing::kNothing;
 using testing::lookDown;
-
-constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
-
-Height flat(double z) {
-  return [z](double, double) { return z; };
-}
-
-void expectDisc(const Mesh& mesh) {
-  const MeshMeasures m = measure(mesh);
-  EXPECT_EQ(m.components, 1U);
-  EXPECT_EQ(m.boundaryLoops, 1U);
-  EXPECT_EQ(m.nonManifoldEdges, 0U);
-  EXPECT_EQ(eulerCharacteristic(mesh), 1);
-  EXPECT_EQ(countBowTies(mesh), 0U);
-}
 
 double highest(const Mesh& mesh) {
   double z = -std::numeric_limits<double>::infinity();
