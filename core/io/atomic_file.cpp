@@ -23,6 +23,9 @@ constexpr mode_t kMode = 0666;  // less the umask
 
 AtomicFile::AtomicFile(std::string path) : path_(std::move(path)), buffer_(kBufferBytes) {
   std::error_code error;
+  // A link stays one: what it names is written.
+  if (std::filesystem::is_symlink(std::filesystem::symlink_status(path_, error)))
+    if (auto target = std::filesystem::canonical(path_, error); !error) path_ = target.string();
   const auto status = std::filesystem::status(path_, error);
   if (std::filesystem::is_directory(status)) throw IoError(path_, "is a folder, expected a file to write");
   if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) {

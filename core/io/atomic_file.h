@@ -8,8 +8,8 @@
 namespace vantage {
 
 /// A file that appears whole or not at all: it is written beside its place under another name and put there by
-/// commit(). Without commit the other name is removed and what was there before stays. A device or pipe in its place is
-/// written to directly.
+/// commit(). Without commit the other name is removed and what was there before stays. A link in its place stays: what
+/// it names is written. A device or pipe is written to directly.
 class AtomicFile {
  public:
   /// @throws IoError when the folder cannot be written to, or the path is a folder.

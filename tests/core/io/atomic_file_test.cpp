@@ -40,6 +40,18 @@ TEST(AtomicFile, KeepsWhatWasThereWhenItIsNotCommitted) {
   EXPECT_EQ(filesBelow(folder.file(".")).size(), 1U);
 }
 
+TEST(AtomicFile, ALinkStaysAndWhatItNamesIsWritten) {
+  const TemporaryFolder folder;
+  const std::string path = folder.write("a", "before");
+  const std::string link = folder.file("link");
+  std::filesystem::create_symlink(path, link);
+  AtomicFile file(link);
+  file.write("after");
+  file.commit();
+  EXPECT_TRUE(std::filesystem::is_symlink(link));
+  EXPECT_EQ(contentOf(path), "after");
+}
+
 TEST(AtomicFile, ReplacesWhatWasThere) {
   const TemporaryFolder folder;
   const std::string path = folder.write("a", "before");

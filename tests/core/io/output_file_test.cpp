@@ -40,6 +40,8 @@ TEST(OutputFile, LeavesWhatIsOfAnotherKind) {
   const TemporaryFolder folder;
   const std::string range = folder.write("scan.ply", kRange);
   expectError<InvalidInput>([&] { checkOutput(range, OutputKind::Mesh); }, {range, "no mesh", "not replaced"});
+  const std::string cloud = folder.write("scan.ptx", "2\n2\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n");
+  expectError<InvalidInput>([&] { checkOutput(cloud, OutputKind::Mesh); }, {cloud, "no mesh"});
   expectError<InvalidInput>([&] { checkOutput(folder.write("letter.html", "Dear Sir"), OutputKind::Report); },
                             {"letter.html", "no HTML page"});
   expectError<InvalidInput>([&] { checkOutput(folder.write("photo.png", "\xff\xd8\xff"), OutputKind::Picture); },
