@@ -11,30 +11,28 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Whether what became of the session is worth going on with.
-bool resumable(const Session& session, bool cancelled, bool goesOn) {
-  return session.scanCount() > 0 && (cancelled || goesOn);
-}
-
 }  // namespace
 
 void workOnNewSession(const NewSession& made, CommandContext& context, const std::function<void(Session&)>& work) {
   SessionPlace place(made.file, made.replace);
   std::optional<Session> session(place.make(made.start));
-  const auto leave = [&](bool cancelled) {
-    const bool stays = resumable(*session, cancelled, made.goesOn);
+  const auto leave = [&](bool resumable) {
     session.reset();
-    if (!stays) return;
+    if (!resumable) return;
     place.release();
     if (place.aside()) context.note("the session that was to be replaced is kept as " + *place.aside());
   };
   try {
     work(*session);
   } catch (const Cancelled&) {
-    leave(true);
+    leave(session->scanCount() > 0);
+    throw;
+  } catch (const InvalidInput&) {
+    // Without a model the same input would be refused again.
+    leave(made.goesOn && session->state()->model != nullptr);
     throw;
   } catch (...) {
-    leave(false);
+    leave(made.goesOn && session->scanCount() > 0);
     throw;
   }
   session.reset();

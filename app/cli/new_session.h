@@ -13,7 +13,7 @@ namespace vantage {
 struct NewSession {
   std::string file;
   bool replace = false;  ///< a session there is set aside until the new one is whole
-  bool goesOn = false;   ///< what fails after the first scan can be resumed; else only what is cancelled can
+  bool goesOn = false;   ///< what fails after the first view can be resumed; else only what is cancelled can
   SessionStart start;
 };
 

@@ -2,6 +2,7 @@
 #include <memory>
 
 #include "acquisition/acquisition.h"
+#include "base/errors.h"
 #include "cli/command.h"
 #include "cli/import_result.h"
 #include "cli/new_session.h"
@@ -30,8 +31,11 @@ void finishImport(Session& session, const ImportScans& import, CommandContext& c
 
 void run(const ResumeArguments& args, CommandContext& context) {
   Session session = openSession(args.session, SessionAccess::Write, context);
-  if (const auto import = interruptedImport(session)) return finishImport(session, *import, context);
+  const auto import = interruptedImport(session);
+  if (import && !args.out.empty())
+    throw InvalidInput("--out is for acquisitions: an import writes into its session, export writes the model");
   if (!args.given.empty()) changeSettings(session, args.given.appliedToSession(session.state()->settings), context);
+  if (import) return finishImport(session, *import, context);
   const auto object = std::make_shared<const Mesh>(session.object(context.progress()));
   const std::string beside = std::filesystem::absolute(args.session).parent_path().string();
   const std::string out = args.out.empty() ? beside : args.out;

@@ -77,6 +77,12 @@ Pose poseIn(const std::vector<ScanPose>& list, const std::string& file) {
   return *pose;
 }
 
+// The rays of a profile say where the scanner looks, and its workspace what is up.
+void requireNoFrame(const ScanReadingOptions& options) {
+  if (options.frame || options.up.value_or(Axis::Z) != Axis::Z)
+    throw InvalidInput("frame and up axis of range files are those of the scanner profile: leave --frame and --up out");
+}
+
 class Interpretation {
  public:
   Interpretation(std::vector<RawScan> scans, const ScanReadingOptions& options)
@@ -228,6 +234,7 @@ std::optional<FrameChoice> parseFrame(std::string_view text) {
 std::vector<ReadScan> readScans(const std::vector<std::string>& files, const std::vector<ScanPose>* list,
                                 const ScannerProfile* profile, const ScanReadingOptions& options,
                                 const Progress& progress) {
+  if (profile != nullptr) requireNoFrame(options);
   std::vector<RawScan> raw;
   for (const std::string& file : files) {
     const auto done = static_cast<double>(raw.size());
@@ -249,6 +256,7 @@ std::vector<ReadScan> readScans(const std::vector<std::string>& files, const std
 
 ReadScan readScanAt(const std::string& file, const ScannerProfile& profile, int position,
                     const ScanReadingOptions& options, const Progress& progress) {
+  requireNoFrame(options);
   const Pose& pose = profile.workspace.poses[static_cast<std::size_t>(position)];
   ReadScan read = readOnRays(readRaw(file, options, progress), profile, pose, false, options.unit);
   read.image.station.position = position;

@@ -44,7 +44,7 @@ struct ReadScan {
 /// @param list of poses, with a scale of 1; null without one. Files then have the poses that they carry themselves.
 /// @param profile null: rays are reconstructed from the grids.
 /// @throws IoError when a file cannot be read
-/// @throws InvalidInput naming file, place and expectation; where the numbers do not tell unit or viewing direction,
+/// @throws InvalidInput when options contradict a profile, which has the frame; naming file, place and expectation; where the numbers do not tell unit or viewing direction,
 ///         naming the option that does; Cancelled
 [[nodiscard]] std::vector<ReadScan> readScans(const std::vector<std::string>& files, const std::vector<ScanPose>* list,
                                               const ScannerProfile* profile, const ScanReadingOptions& options,

@@ -74,10 +74,8 @@ Phrase phraseOf(const Warning& warning) {
     case WarningCode::NothingCovered:
       return words("the model has no surface: nothing of the object was covered");
     case WarningCode::LittleCovered:
-      return words(
-          "little is covered: positions would still show %1 % of what the model has, but no view may be taken "
-          "of it",
-          {figure(100.0 * warning.value.value_or(0.0))});
+      return words("little is covered: there are positions that would still show %1 % of what the model has",
+                   {figure(100.0 * warning.value.value_or(0.0))});
     case WarningCode::EndedEarly:
       return words("the acquisition is not finished: %1",
                    {asIs(std::string(sentenceOf(warning.termination.value_or(Termination::Running))))});

@@ -81,6 +81,11 @@ expect 1 "is not replaced" "$cli" render "$work/run/session.vantage" --out "$wor
 cmp "$mug" "$work/models/model.ply" && cmp "$scanner" "$work/mine.json" || failures=$((failures + 1))
 expect 1 "empty.ply" "$cli" acquire --object "$work/empty.ply" --scanner "$scanner" --out "$work/never/made"
 [[ ! -e $work/never ]] || { echo "FAIL: a folder was made for nothing"; failures=$((failures + 1)); }
+expect 1 "leave --frame" "$cli" import "$work/empty.ply" --scanner "$scanner" --frame y+ --session "$work/framed.vantage"
+# An object out of sight: no session is left that nobody could go on with.
+printf 'ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n9000 0 0\n9050 0 0\n9000 50 50\n3 0 1 2\n' >"$work/away.ply"
+expect 1 "has no surface" "$cli" acquire --object "$work/away.ply" --scanner "$scanner" --out "$work/away"
+[[ ! -e $work/away ]] || { echo "FAIL: a session without a view was left"; failures=$((failures + 1)); }
 cp -r "$work/run" "$work/replaced"
 expect 4 '"code": "ended_early"' "$cli" acquire --object "$mug" --scanner "$scanner" --out "$work/replaced" --max-views 1 --replace --json
 expect 0 "views: 1" "$cli" info "$work/replaced/session.vantage"
