@@ -11,7 +11,7 @@
 #include "cli/settings_arguments.h"
 #include "io/scan_poses.h"
 #include "session/import_note.h"
-#include "session/session_place.h"
+#include "session/session.h"
 
 namespace vantage {
 namespace {
@@ -74,7 +74,6 @@ std::vector<std::string> labelsOf(const std::vector<std::string>& files, const s
 }
 
 void run(const ImportArguments& args, CommandContext& context) {
-  checkSessionPlace(args.session, args.replace);
   std::optional<ProfileSource> source;
   std::shared_ptr<const ScannerProfile> profile;
   if (args.scanner != "generic") {

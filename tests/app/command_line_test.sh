@@ -64,7 +64,16 @@ expect 0 "covered" "$cli" evaluate "$work/run/session.vantage" --object "$mug" -
 sum() { sha256sum "$1" | cut -d' ' -f1; }
 before=$(sum "$work/run/session.vantage")
 expect 1 "say --replace" "$cli" acquire --object "$mug" --scanner "$scanner" --out "$work/run" --max-views 1
-expect 1 "resume" "$cli" import "$work/empty.ply" --session "$work/run/session.vantage"
+{
+  printf 'ply\nformat ascii 1.0\nobj_info num_cols 4\nobj_info num_rows 4\nelement vertex 16\nproperty float x\nproperty float y\nproperty float z\n'
+  printf 'element range_grid 16\nproperty list uchar int vertex_indices\nend_header\n'
+  for i in $(seq 0 15); do echo "$((i % 4)) $((i / 4)) 0.$((i * 7 % 10))"; done
+  for i in $(seq 0 15); do echo "1 $i"; done
+} >"$work/scan.ply"
+scan_before=$(sum "$work/scan.ply")
+expect 1 "resume" "$cli" import "$work/scan.ply" --unit mm --session "$work/run/session.vantage"
+expect 1 "is no session" "$cli" import "$work/scan.ply" --unit mm --session "$work/scan.ply" --replace
+[[ $(sum "$work/scan.ply") == "$scan_before" ]] || { echo "FAIL: a scan was replaced"; failures=$((failures + 1)); }
 [[ $(sum "$work/run/session.vantage") == "$before" ]] || { echo "FAIL: a session was changed"; failures=$((failures + 1)); }
 expect 1 "empty.ply" "$cli" import "$work/empty.ply" --session "$work/run/session.vantage" --replace
 [[ $(sum "$work/run/session.vantage") == "$before" ]] || { echo "FAIL: a failing import replaced a session"; failures=$((failures + 1)); }
