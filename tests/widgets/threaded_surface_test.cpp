@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include <QTest>
 #include <QWidget>
 #include <atomic>
@@ -163,14 +165,14 @@ TEST_F(ThreadedSurface, HiddenItIsNotDrawnButKeepsUp) {
 TEST_F(ThreadedSurface, PicturesAreTakenFromElsewhereWithoutMovingTheCamera) {
   show();
   ASSERT_TRUE(QTest::qWaitFor([&] { return isRed(); }, kPatience));
-  const int before = log_.drawn;
   Camera elsewhere;
   elsewhere.eye.x() = -7.0;
   QSize taken;
   surface_->takePicture(elsewhere, [&](const QImage& picture) { taken = picture.size(); });
   EXPECT_TRUE(QTest::qWaitFor([&] { return taken == kSize; }, kPatience));
-  EXPECT_EQ(log_.drawn, before + 1);
-  EXPECT_EQ(log_.eyes.back(), -7.0);
+  surface_.reset();
+  // The surface itself may have been drawn once more meanwhile, but never from there.
+  EXPECT_EQ(std::count(log_.eyes.begin(), log_.eyes.end(), -7.0), 1);
   EXPECT_NE(scene_.camera().eye.x(), -7.0);
 }
 
