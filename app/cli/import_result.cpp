@@ -1,5 +1,6 @@
 #include "cli/import_result.h"
 
+#include "acquisition/import_scans.h"
 #include "acquisition/step_options.h"
 #include "cli/text.h"
 #include "report/report.h"
@@ -27,6 +28,10 @@ nlohmann::ordered_json importJson(const ImportNames& names, const AcquisitionSta
   nlohmann::ordered_json json{{"session", names.session}, {"scans", nlohmann::ordered_json::array()}};
   for (std::size_t i = 0; i < state.scans.size(); ++i)
     json["scans"].push_back(scanJson(state.scans[i], names.labels[i]));
+  if (const auto fault = poseListFault(state)) {
+    const Finding finding = findingOf(*fault);
+    json["pose_list"] = {{"reason", describe(finding)}, {"reason_code", name(finding.reason)}, {"value", fault->value}};
+  }
   json["model"] = modelJson(state.model->mesh);
   double length = 0.0;
   for (const VoidPatch& patch : voids.patches) length += patch.width;
@@ -46,6 +51,9 @@ void announceImport(const ImportNames& names, const AcquisitionState& state, Com
   for (const auto& scan : json["scans"])
     text += scan["file"].get<std::string>() + ": " + scan["verdict"].get<std::string>() + ", " +
             number(scan["rms_mm"].get<double>(), 3) + " mm, " + scan["reason"].get<std::string>() + "\n";
+  if (json.contains("pose_list"))
+    text += "pose list: " + json["pose_list"]["reason"].get<std::string>() +
+            "; correct the list and import again to be sure of every scan\n";
   text += "model: " + json["model"]["triangles"].dump() + " triangles, " + json["model"]["boundary_edges"].dump() +
           " boundary edges, " + json["model"]["non_manifold_edges"].dump() +
           " non-manifold\nstill void: " + std::to_string(voids.patches.size()) + " patches along " +

@@ -1,11 +1,15 @@
 #include "acquisition/import_scans.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "base/errors.h"
 
 namespace vantage {
 namespace {
+
+// Differences from the list of poses up to so many spacings are what a list always has.
+constexpr double kListFaultSpacings = 2.0;
 
 std::vector<KeptScan> keptScans(const std::vector<NumberedScan>& scans, const TriangulationOptions& options,
                                 const Progress& progress) {
@@ -39,6 +43,19 @@ void enter(KeptScan& scan, const Pose& T_object_scanner, const ViewAlignment& al
 }
 
 }  // namespace
+
+std::optional<PoseListFinding> poseListFault(const AcquisitionState& state) {
+  std::vector<Pose> given;
+  std::vector<Pose> found;
+  double spacing = 0.0;
+  for (const KeptScan& scan : state.scans) {
+    if (scan.status != ScanStatus::In || scan.view.image->poseKnownBy == PoseSource::Unknown) continue;
+    given.push_back(scan.view.image->T_table_scanner);
+    found.push_back(scan.view.T_object_scanner);
+    spacing = std::max(spacing, scan.view.mesh->spacing);
+  }
+  return commonFault(given, found, kListFaultSpacings * spacing);
+}
 
 AcquisitionState importScans(const AcquisitionState& state, const std::vector<NumberedScan>& scans,
                              const ImportOptions& options, const Progress& progress) {

@@ -29,15 +29,17 @@ constexpr std::array<Ascending, 10> kAscending{{{"registration.final_gate", "reg
 constexpr std::array<std::string_view, 5> kLasting{"simulation.object", "simulation.placement", "simulation.unit",
                                                    "triangulation.angle_slack", "triangulation.discontinuity_factor"};
 
-double magnitudeOf(const SettingValue& value) {
+// Nothing for what is left to the program.
+std::optional<double> magnitudeOf(const SettingValue& value) {
   if (const auto* whole = std::get_if<std::uint64_t>(&value)) return static_cast<double>(*whole);
-  return std::get<double>(value);
+  if (const auto* number = std::get_if<double>(&value)) return *number;
+  return std::nullopt;
 }
 
 const Ascending* contradictionIn(const AcquisitionSettings& settings) {
   const auto magnitude = [&](std::string_view key) { return magnitudeOf(valueOf(settingField(key), settings)); };
   for (const Ascending& pair : kAscending)
-    if (magnitude(pair[0]) > magnitude(pair[1])) return &pair;
+    if (const auto least = magnitude(pair[0]), most = magnitude(pair[1]); least && most && *least > *most) return &pair;
   return nullptr;
 }
 

@@ -164,19 +164,21 @@ std::vector<SettingField> registrationFields() {
       number<&Settings::triangulation, &Triangulation::discontinuityFactor>(
           Expert, "triangulation.discontinuity_factor", "Discontinuity factor", "", 0.1, 100, "1.4",
           "An edge is a jump in depth when it is so many times longer than that of a surface at the breakdown angle."),
-      number<&Settings::registration, &Icp::coarseGate>(Expert, "registration.coarse_gate", "Coarse gate", "mm", 1e-6,
-                                                        1e6, "10", "Largest distance of a pair at the beginning."),
-      number<&Settings::registration, &Icp::finalGate>(Expert, "registration.final_gate", "Final gate", "mm", 1e-6, 1e6,
-                                                       "0.8", "Largest distance of a pair at the end."),
+      number<&Settings::registration, &Icp::coarseGate>(
+          Expert, "registration.coarse_gate", "Coarse gate", "mm", 1e-6, 1e6, "10",
+          "Largest distance of a pair at the beginning; auto follows the size of what a scan shows."),
+      number<&Settings::registration, &Icp::finalGate>(
+          Expert, "registration.final_gate", "Final gate", "mm", 1e-6, 1e6, "0.8",
+          "Largest distance of a pair at the end; auto follows spacing and noise of the samples."),
       number<&Settings::registration, &Icp::coarseAngle>(
           Expert, "registration.coarse_angle", "Coarse angle", "deg", 1, 90, "45",
           "Largest angle between the normals of a pair at the beginning."),
       number<&Settings::registration, &Icp::finalAngle>(Expert, "registration.final_angle", "Final angle", "deg", 1, 90,
                                                         "35",
                                                         "Largest angle between the normals of a pair at the end."),
-      number<&Settings::registration, &Icp::hiddenDepth>(Expert, "registration.hidden_depth", "Hidden depth", "mm", 0,
-                                                         1e6, "10",
-                                                         "Model surface farther behind the view's counts as hidden."),
+      number<&Settings::registration, &Icp::hiddenDepth>(
+          Expert, "registration.hidden_depth", "Hidden depth", "mm", 0, 1e6, "10",
+          "Model surface farther behind the view's counts as hidden; auto follows the size of what a scan shows."),
       number<&Settings::registration, &Icp::coarsePoints>(
           Expert, "registration.coarse_points", "Coarse points", "", 10, kMostPoints, "4000",
           "Points of the model that are looked up until the pose settles."),
@@ -224,17 +226,18 @@ std::vector<SettingField> registrationFields() {
           "Farther from the start pose than so many sigmas of the prior a registration has failed."),
       number<&Settings::registration, &Icp::limits, &Limits::maxPoseSigma>(
           Expert, "verdict.max_pose_sigma", "Largest pose sigma", "mm", 0, 1e6, "0.1",
-          "With a less certain pose, going by the pairs alone, a registration is doubtful."),
-      number<&Settings::refinement, &Refinement::coarseGate>(Expert, "refinement.coarse_gate", "Coarse gate", "mm",
-                                                             1e-6, 1e6, "2",
-                                                             "Largest distance of a pair at the beginning."),
-      number<&Settings::refinement, &Refinement::finalGate>(Expert, "refinement.final_gate", "Final gate", "mm", 1e-6,
-                                                            1e6, "0.8", "Largest distance of a pair at the end."),
+          "With a less certain pose, going by the pairs alone, a registration is doubtful; auto follows the spacing."),
+      number<&Settings::refinement, &Refinement::coarseGate>(
+          Expert, "refinement.coarse_gate", "Coarse gate", "mm", 1e-6, 1e6, "2",
+          "Largest distance of a pair at the beginning; auto follows the final gate."),
+      number<&Settings::refinement, &Refinement::finalGate>(
+          Expert, "refinement.final_gate", "Final gate", "mm", 1e-6, 1e6, "0.8",
+          "Largest distance of a pair at the end; auto follows spacing and noise of the samples."),
       number<&Settings::refinement, &Refinement::maxAngle>(Expert, "refinement.max_angle", "Largest angle", "deg", 1,
                                                            90, "35", "Largest angle between the normals of a pair."),
       number<&Settings::refinement, &Refinement::hiddenDepth>(
           Expert, "refinement.hidden_depth", "Hidden depth", "mm", 0, 1e6, "10",
-          "Surface farther behind another view's counts as hidden."),
+          "Surface farther behind another view's counts as hidden; auto follows the size of what a scan shows."),
       number<&Settings::refinement, &Refinement::minOverlap>(
           Expert, "refinement.min_overlap", "Least overlap", "", 0, 1, "0.03",
           "Share of a view's points that must meet another view for the two to be tied."),

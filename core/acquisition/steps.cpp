@@ -6,6 +6,7 @@
 #include "geometry/measures.h"
 #include "integration/zipper.h"
 #include "registration/pose_prior.h"
+#include "registration/position_search.h"
 #include "registration/registration_target.h"
 
 namespace vantage {
@@ -73,11 +74,33 @@ void checkStation(const AcquisitionState& state, const KeptScan& scan) {
                        ", the object has stood in stands 0 to " + std::to_string(state.stand()));
 }
 
+// Another position of the workspace that a scan fits which does not fit its own.
+std::optional<int> otherPosition(const AcquisitionState& state, const KeptScan& scan, const StepOptions& options,
+                                 const Progress& progress) {
+  if (!state.profile || !state.model || !scan.station().position) return std::nullopt;
+  std::vector<Pose> candidates;
+  RangeImage there = *scan.view.image;
+  for (const Pose& T_table_scanner : state.profile->workspace.poses) {
+    there.T_table_scanner = T_table_scanner;
+    candidates.push_back(expectedPose(state, there));
+  }
+  IcpOptions registration = options.registration;
+  registration.prior.reset();
+  const auto fits =
+      poseThatFits(ViewSurface(*scan.view.mesh, *scan.view.image->rays), candidates,
+                   RegistrationTarget(state.model->mesh, state.model->confidence), registration, progress);
+  if (!fits || static_cast<int>(*fits) == *scan.station().position) return std::nullopt;
+  return static_cast<int>(*fits);
+}
+
 // Registers a scan and moves all views to where they agree best. @return whether it found its place
 bool findPlace(AcquisitionState& state, KeptScan& scan, const StepOptions& options, const Progress& progress) {
   scan.view.T_object_scanner = expectedPose(state, *scan.view.image);
-  scan.record.registration = registerWithModel(state, scan, options, progress.part(0.0, 0.7));
+  scan.record.registration = registerWithModel(state, scan, options, progress.part(0.0, 0.6));
   const bool found = scan.record.registration.verdict != Verdict::Failed;
+  if (!found)
+    if (const auto other = otherPosition(state, scan, options, progress.part(0.6, 0.7)))
+      scan.record.registration.finding = {VerdictReason::OtherPosition, static_cast<double>(*other), {}};
   scan.status = found ? ScanStatus::In : ScanStatus::Rejected;
   if (found) scan.view.T_object_scanner = scan.record.registration.T_object_scanner;
   if (!found) scan.view.mesh = nullptr;

@@ -37,8 +37,8 @@ std::vector<std::uint32_t> Aligner::visible(const Pose& T_object_scanner, const 
                                             std::size_t count, const Progress& progress) const {
   std::vector<std::optional<GridPosition>> positions(ids.size());
   std::vector<Pair> pairs(ids.size());
-  PairGates gates = gatesAt(options_.coarseGate);
-  gates.depth = 3.0 * std::max(options_.hiddenDepth, options_.coarseGate);
+  PairGates gates = gatesAt(*options_.coarseGate);
+  gates.depth = 3.0 * std::max(*options_.hiddenDepth, *options_.coarseGate);
   findPairs(model_.surface(), ids, T_object_scanner.inverse(), surface_, gates, positions, progress, pairs);
   std::vector<std::uint32_t> seen;
   for (std::size_t k = 0; k < ids.size(); ++k)
@@ -52,14 +52,14 @@ double Aligner::motionInSigmas(const Pose& T_object_scanner) const {
 }
 
 PairGates Aligner::gatesAt(double gate) const {
-  const bool coarse = gate > 2.5 * options_.finalGate;
-  return {gate, options_.hiddenDepth, coarse ? options_.coarseAngle : options_.finalAngle};
+  const bool coarse = gate > 2.5 * *options_.finalGate;
+  return {gate, *options_.hiddenDepth, coarse ? options_.coarseAngle : options_.finalAngle};
 }
 
 // One Gauss-Newton step of sum w r^2 / sigma^2 + prior.
-Aligner::Step Aligner::solve(const Pose& T, std::span<const Pair> pairs, double sigma, double share) const {
+Aligner::Step Aligner::solve(const Pose& T, std::span<const Pair> pairs, const PairNoise& noise, double share) const {
   const Extent extent = extentOf(pairs, T);
-  const PairTerm term = pairTerm(pairs, T, extent.centre, extent.radius, sigma);
+  const PairTerm term = pairTerm(pairs, T, extent.centre, extent.radius, noise);
   const Mat6 toPrior = changeOfCentre(extent.centre, prior_.centre);
   const Vec6 away = motionVector(T * T_start_.inverse(), prior_.centre);
   // Rotations are measured by what they do at the pairs' radius.
@@ -97,7 +97,8 @@ Fit Aligner::run(const Pose& T_object_scanner, const std::vector<std::uint32_t>&
               fit.pairs);
     fit.sigma = std::max(leastSigma, 1.4826 * medianDistance(fit.pairs));
     if (fit.settled || fit.iterations == schedule.maxIterations) return fit;
-    const Step step = solve(fit.T_object_scanner, fit.pairs, fit.sigma, finalRounds < kFullSteps ? 1.0 : 0.5);
+    const Step step = solve(fit.T_object_scanner, fit.pairs, pairNoise(fit.sigma, gate, schedule.lastGate),
+                            finalRounds < kFullSteps ? 1.0 : 0.5);
     fit.T_object_scanner = step.motion * fit.T_object_scanner;
     fit.heldByPrior = step.heldByPrior;
     ++fit.iterations;
@@ -105,7 +106,8 @@ Fit Aligner::run(const Pose& T_object_scanner, const std::vector<std::uint32_t>&
       ++finalRounds;
       fit.settled = step.distance < std::max(schedule.tolerance, kSettledShare * step.sigma);
     } else {
-      const double wanted = step.distance < 0.1 * gate ? std::min(0.5 * gate, 4.0 * fit.sigma) : 4.0 * fit.sigma;
+      // Half at most: what is off by more than most has to be given time to pull.
+      const double wanted = step.distance < 0.1 * gate ? 0.5 * gate : std::max(0.5 * gate, 4.0 * fit.sigma);
       gate = std::max(schedule.lastGate, std::min(gate, wanted));
     }
   }

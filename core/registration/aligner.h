@@ -5,6 +5,7 @@
 
 #include "registration/icp.h"
 #include "registration/pair_finding.h"
+#include "registration/pair_term.h"
 
 namespace vantage {
 
@@ -21,7 +22,7 @@ struct Fit {
 /// The iterations of registerView, which runs them with few points, with many, and from rivals of the start pose.
 class Aligner {
  public:
-  /// Keeps referring to all but the pose and the prior.
+  /// Keeps referring to all but the pose and the prior. @pre `options` are resolved
   Aligner(const ViewSurface& surface, const RegistrationTarget& model, const Pose& T_object_scanner,
           const PosePrior& prior, const IcpOptions& options);
 
@@ -47,7 +48,8 @@ class Aligner {
  private:
   struct Step;
   [[nodiscard]] PairGates gatesAt(double gate) const;
-  [[nodiscard]] Step solve(const Pose& T_object_scanner, std::span<const Pair> pairs, double sigma, double share) const;
+  [[nodiscard]] Step solve(const Pose& T_object_scanner, std::span<const Pair> pairs, const PairNoise& noise,
+                           double share) const;
 
   const ViewSurface& surface_;
   const RegistrationTarget& model_;

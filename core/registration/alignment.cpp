@@ -1,128 +1,114 @@
 #include "registration/alignment.h"
 
 #include <algorithm>
+#include <utility>
 
-#include "base/parallel.h"
-#include "registration/view_network.h"
+#include "registration/list_search.h"
+#include "registration/scan_set.h"
 
 namespace vantage {
 namespace {
 
-// Points of a view that are tried to find how much it overlaps with another.
-constexpr std::size_t kTried = 400;
+// Another list of poses is believed when it brings so much more of the set together than the given one.
+constexpr double kBetterBy = 1.0;
 
-// Places the views one after the other.
-class Placement {
- public:
-  Placement(std::span<const View> views, const AlignmentOptions& options, const Progress& progress)
-      : options_(options), views_(prepareViews(views, progress.part(0.0, 0.4))), placed_(views.size(), false) {
-    for (const View& view : views) poses.push_back(view.T_object_scanner);
-    alignments.resize(views.size());
-    measureOverlaps(progress.part(0.4, 1.0));
+bool nobodySaidWhere(std::span<const View> views) {
+  return std::all_of(views.begin(), views.end(),
+                     [](const View& view) { return view.image->poseKnownBy == PoseSource::Unknown; });
+}
+
+VerdictReason reasonOf(PoseListFault fault) {
+  switch (fault) {
+    case PoseListFault::Turns:
+      return VerdictReason::OtherTurns;
+    case PoseListFault::Inverted:
+      return VerdictReason::InverseList;
+    case PoseListFault::Unit:
+      return VerdictReason::OtherUnit;
+    case PoseListFault::Frame:
+      return VerdictReason::OtherFrame;
+    case PoseListFault::Axis:
+      break;
   }
+  return VerdictReason::AxisBeside;
+}
 
-  void run(const Progress& progress) {
-    if (views_.empty()) return;
-    place(0, {Verdict::Good, {VerdictReason::FirstImported, std::nullopt, {}}, 0.0, 1.0});
-    std::vector<bool> failed(views_.size(), false);
-    while (true) {
-      const double done = static_cast<double>(order.size()) / static_cast<double>(views_.size());
-      std::size_t next = bestOverlap(failed);
-      if (next == views_.size()) return;
-      const bool found = tryToPlace(next, progress.part(done, done + 1.0 / static_cast<double>(views_.size())));
-      // Whatever failed before may overlap with what was placed now.
-      if (found) failed.assign(views_.size(), false);
-      failed[next] = !found;
-    }
+// Whether all views found their place without a doubt.
+bool isWhole(const ScanSet& set) {
+  return set.worth() == static_cast<double>(set.placement.views.size());
+}
+
+// The set under a list of poses that explains it where the given one does not; nothing where there is none.
+std::optional<std::pair<ScanSet, PoseListFinding>> explained(std::span<const View> views,
+                                                             std::span<const PreparedView> prepared,
+                                                             std::span<const Pose> given, double worth,
+                                                             const AlignmentOptions& options,
+                                                             const Progress& progress) {
+  std::optional<std::pair<ScanSet, PoseListFinding>> best;
+  for (const MendedList& list : betterLists(prepared, given, progress.part(0.0, 0.3))) {
+    ScanSet set = judgedSet(views, prepared, list.poses, options, progress.part(0.3, 1.0));
+    if (set.worth() < worth + kBetterBy || (best && set.worth() <= best->first.worth())) continue;
+    best.emplace(std::move(set), list.finding);
   }
+  return best;
+}
 
-  std::vector<Pose> poses;
-  std::vector<ViewAlignment> alignments;
-  std::vector<std::size_t> order;
-
- private:
-  void place(std::size_t i, ViewAlignment alignment) {
-    placed_[i] = true;
-    alignments[i] = std::move(alignment);
-    order.push_back(i);
-    OrientedPoints some;
-    for (const std::uint32_t k : thinned(allIndices(views_[i].points.size()), options_.sampling.pointsPerView)) {
-      some.points.push_back(views_[i].points.points[k]);
-      some.normals.push_back(views_[i].points.normals[k]);
-      some.confidence.push_back(views_[i].points.confidence[k]);
-    }
-    union_.append(some, poses[i]);
+// The list is wrong and was mended: nothing is right before the operator says so.
+void doubt(const PoseListFinding& finding, ScanSet& set) {
+  for (const std::size_t i : set.placement.order) {
+    ViewAlignment& view = set.placement.views[i];
+    view.verdict = Verdict::Doubtful;
+    view.finding = findingOf(finding);
   }
+}
 
-  bool tryToPlace(std::size_t i, const Progress& progress) {
-    IcpOptions icp = options_.icp;
-    icp.finePoints = options_.sampling.finePoints;
-    const RegistrationResult result =
-        registerView(views_[i].surface, poses[i], RegistrationTarget(union_), icp, progress);
-    ViewAlignment alignment{result.verdict, result.finding, result.rms, result.inlierShare};
-    if (result.verdict == Verdict::Failed) {
-      alignments[i] = std::move(alignment);
-      return false;
-    }
-    poses[i] = result.T_object_scanner;
-    place(i, std::move(alignment));
-    return true;
+// Nothing holds what the surface lets go of; where that left some out, nothing says that the others are right.
+void nameMissingList(ScanSet& set) {
+  Placement& placement = set.placement;
+  if (placement.order.empty()) return;
+  const std::size_t first = placement.order.front();
+  for (std::size_t i = 0; i < placement.views.size(); ++i) {
+    ViewAlignment& view = placement.views[i];
+    if (i == first || view.verdict == Verdict::Good) continue;
+    view.verdict = Verdict::Failed;
+    view.finding = {VerdictReason::NoPoseGiven, std::nullopt, {}};
+    std::erase(placement.order, i);
   }
-
-  // Shares of points that meet each other, under the poses given.
-  void measureOverlaps(const Progress& progress) {
-    const std::size_t n = views_.size();
-    const PairGates gates{options_.icp.coarseGate, options_.icp.hiddenDepth, options_.icp.coarseAngle};
-    overlap_.assign(n * n, 0.0);
-    parallelChunks(n * n, 1, progress, [&](std::size_t k, std::size_t) {
-      const std::size_t i = k / n;
-      const std::size_t j = k % n;
-      if (i != j) overlap_[k] = overlapShare(views_[i], views_[j], poses[j].inverse() * poses[i], gates, kTried);
-    });
-  }
-
-  // The view that is still to be placed and meets most of those placed; as many as there are views for none.
-  [[nodiscard]] std::size_t bestOverlap(const std::vector<bool>& failed) const {
-    const std::size_t n = views_.size();
-    std::size_t best = n;
-    double most = 0.0;
-    for (std::size_t i = 0; i < n; ++i) {
-      if (placed_[i] || failed[i]) continue;
-      double sum = 0.0;
-      for (const std::size_t j : order) sum += overlap_[i * n + j] + overlap_[j * n + i];
-      if (best != n && sum <= most) continue;
-      best = i;
-      most = sum;
-    }
-    return best;
-  }
-
-  const AlignmentOptions& options_;
-  std::vector<PreparedView> views_;
-  std::vector<bool> placed_;
-  std::vector<double> overlap_;
-  OrientedPoints union_;
-};
+  if (placement.order.size() == placement.views.size()) return;
+  for (const std::size_t i : placement.order)
+    if (i != first)
+      placement.views[i] = {Verdict::Doubtful,
+                            {VerdictReason::NoPoseGiven, std::nullopt, {}},
+                            placement.views[i].rms,
+                            placement.views[i].inlierShare};
+}
 
 }  // namespace
 
-AlignmentResult registerViews(std::span<const View> views, const AlignmentOptions& options, const Progress& progress) {
-  Placement placement(views, options, progress.part(0.0, 0.1, "prepare_views"));
-  placement.run(progress.part(0.1, 0.6));
+Finding findingOf(const PoseListFinding& finding) {
+  return {reasonOf(finding.fault), finding.value, {}};
+}
 
-  std::vector<std::size_t> placed = placement.order;
-  std::sort(placed.begin(), placed.end());
-  std::vector<View> toRefine;
-  for (const std::size_t i : placed) {
-    toRefine.push_back(views[i]);
-    toRefine.back().T_object_scanner = placement.poses[i];
-  }
+AlignmentResult registerViews(std::span<const View> views, const AlignmentOptions& options, const Progress& progress) {
+  const std::vector<PreparedView> prepared = prepareViews(views, progress.part(0.0, 0.05, "prepare_views"));
+  std::vector<Pose> given;
+  for (const View& view : views) given.push_back(view.T_object_scanner);
   AlignmentResult result;
-  result.refinement = refineViews(toRefine, options.refinement, progress.part(0.6, 1.0));
-  result.poses = placement.poses;
-  for (std::size_t k = 0; k < placed.size(); ++k) result.poses[placed[k]] = result.refinement.poses[k];
-  result.views = placement.alignments;
-  result.order = placement.order;
+  ScanSet set = judgedSet(views, prepared, given, options, progress.part(0.05, 0.6));
+  const bool unknown = nobodySaidWhere(views);
+  if (unknown && views.size() > 1) {
+    nameMissingList(set);
+  } else if (!isWhole(set)) {
+    if (auto other = explained(views, prepared, given, set.worth(), options, progress.part(0.6, 1.0))) {
+      set = std::move(other->first);
+      result.list = other->second;
+      doubt(other->second, set);
+    }
+  }
+  result.poses = std::move(set.placement.poses);
+  result.views = std::move(set.placement.views);
+  result.order = std::move(set.placement.order);
+  result.refinement = std::move(set.refinement);
   return result;
 }
 

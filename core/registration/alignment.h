@@ -1,12 +1,14 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "base/progress.h"
 #include "registration/icp.h"
 #include "registration/multi_view.h"
+#include "registration/pose_list.h"
 
 namespace vantage {
 
@@ -22,6 +24,9 @@ struct AlignmentOptions {
   AlignmentSampling sampling;
 };
 
+/// How a fault of the list is said of every scan that it concerns.
+[[nodiscard]] Finding findingOf(const PoseListFinding& finding);
+
 /// How one view found its place.
 struct ViewAlignment {
   Verdict verdict = Verdict::Failed;
@@ -31,15 +36,18 @@ struct ViewAlignment {
 };
 
 struct AlignmentResult {
-  std::vector<Pose> poses;           ///< one per view; the first to the last bit as given, those that failed as well
-  std::vector<ViewAlignment> views;  ///< one per view; the first is Good by definition
-  std::vector<std::size_t> order;    ///< views in the order in which they were placed, the first first
-  MultiViewResult refinement;        ///< of the views in `order`, sorted by index
+  std::vector<Pose> poses;           ///< one per view; the first of the order to the last bit as it began
+  std::vector<ViewAlignment> views;  ///< one per view; the first of the order is Good by definition
+  std::vector<std::size_t> order;    ///< views in the order in which they were placed
+  MultiViewResult refinement;        ///< of the views that were refined together, sorted by index
+  /// What was wrong with the poses of all views, where mending it brought them together: then all of them are doubtful.
+  std::optional<PoseListFinding> list;
 };
 
-/// Brings scans with rough poses together: from the first view on always the view that overlaps most with those placed
-/// already is registered against their union; a view that fails waits until the others are placed. Then all placed
-/// views are refined at once.
+/// Brings scans with rough poses together and judges them as a set (see judgedSet): the largest set of views that hang
+/// together and do not contradict each other stays, the first view too only if it is of it. Where that is not the whole
+/// set, one fault of the whole list is looked for that explains it. Without a list nothing holds what the surface lets
+/// go of: what is not good has failed then.
 /// @throws InvalidInput as registerView and refineViews, Cancelled
 [[nodiscard]] AlignmentResult registerViews(std::span<const View> views, const AlignmentOptions& options,
                                             const Progress& progress = {});

@@ -9,19 +9,20 @@
 #include "base/errors.h"
 #include "registration/aligner.h"
 #include "registration/pair_term.h"
+#include "registration/registration_scale.h"
 #include "registration/rivals.h"
 
 namespace vantage {
 namespace {
 
-// Before the last rounds the pose need not be better than this [mm].
+// Before the last rounds the pose need not be better than this share of the final gate.
 constexpr double kCoarseTolerance = 0.02;
 // A closed model shows a view a part of its points only: this many times the wanted number are looked at.
 constexpr std::size_t kLookAtFirst = 4;
 constexpr std::size_t kLookAtLast = 8;
 
 void checkOptions(const IcpOptions& options) {
-  if (!(options.finalGate > 0.0) || !(options.coarseGate >= options.finalGate))
+  if (!(*options.finalGate > 0.0) || !(*options.coarseGate >= *options.finalGate))
     throw InvalidInput("registration needs gates with 0 < final gate <= coarse gate");
   if (options.maxIterations < 1) throw InvalidInput("registration needs at least one iteration");
 }
@@ -31,7 +32,7 @@ PosePrior priorOf(const ViewSurface& surface, const Pose& T_object_scanner, cons
   Vec3 centre = Vec3::Zero();
   for (const Vec3& p : surface.view().mesh.vertices) centre += p;
   centre /= static_cast<double>(std::max<std::size_t>(surface.view().mesh.vertices.size(), 1));
-  return isotropicPrior(radians(3.0), 3.0, T_object_scanner * centre);
+  return isotropicPrior(radians(3.0), looseShift(scaleOf(surface)), T_object_scanner * centre);
 }
 
 // What the last round's pairs say about the quality of the fit.
@@ -100,19 +101,21 @@ RegistrationResult registerView(const ViewMesh& view, const RayGrid& rays, const
 }
 
 RegistrationResult registerView(const ViewSurface& surface, const Pose& T_object_scanner,
-                                const RegistrationTarget& model, const IcpOptions& options, const Progress& progress) {
+                                const RegistrationTarget& model, const IcpOptions& given, const Progress& progress) {
+  const IcpOptions options = resolved(given, scaleOf(surface));
   checkOptions(options);
   const PosePrior prior = priorOf(surface, T_object_scanner, options);
   const Aligner aligner(surface, model, T_object_scanner, prior, options);
   const auto some = aligner.visible(T_object_scanner, aligner.pick(kLookAtFirst * options.coarsePoints),
                                     options.coarsePoints, progress.part(0.0, 0.1, "register"));
-  const Fit rough = aligner.run(T_object_scanner, some,
-                                {options.coarseGate, options.finalGate, kCoarseTolerance, options.maxIterations},
-                                progress.part(0.1, 0.3));
+  const Fit rough = aligner.run(
+      T_object_scanner, some,
+      {*options.coarseGate, *options.finalGate, kCoarseTolerance * *options.finalGate, options.maxIterations},
+      progress.part(0.1, 0.3));
   const auto many = aligner.visible(rough.T_object_scanner, aligner.pick(kLookAtLast * options.finePoints),
                                     options.finePoints, progress.part(0.3, 0.4));
   const Fit fit = aligner.run(rough.T_object_scanner, many,
-                              {options.finalGate, options.finalGate, options.tolerance, options.maxIterations},
+                              {*options.finalGate, *options.finalGate, options.tolerance, options.maxIterations},
                               progress.part(0.4, 0.8));
 
   RegistrationResult result = summary(fit, prior);

@@ -11,13 +11,14 @@
 namespace vantage {
 
 struct IcpOptions {
-  /// Where the view may be, around its start pose. Unset: 3 degrees and 3 mm about the view's centroid, all directions.
+  /// Where the view may be, around its start pose. Unset: 3 degrees and a fortieth of the view's extent about its
+  /// centroid, all directions.
   std::optional<PosePrior> prior;
-  double coarseGate = 10.0;            ///< largest distance of a pair at the beginning [mm]
-  double finalGate = 0.8;              ///< and at the end [mm]
+  std::optional<double> coarseGate;    ///< largest distance of a pair at the beginning [mm]; unset: by the scale
+  std::optional<double> finalGate;     ///< and at the end [mm]; unset: by the scale (see RegistrationScale)
   double coarseAngle = radians(45.0);  ///< largest angle between the normals of a pair at the beginning [rad]
   double finalAngle = radians(35.0);   ///< and at the end [rad]
-  double hiddenDepth = 10.0;           ///< model surface farther behind the view's counts as hidden [mm]
+  std::optional<double> hiddenDepth;   ///< model surface farther behind counts as hidden [mm]; unset: by the scale
   std::size_t coarsePoints = 4000;     ///< of the model, until the pose settles
   std::size_t finePoints = 60000;      ///< of the model, in the last rounds
   int maxIterations = 60;

@@ -45,39 +45,36 @@ double farthestMotion(std::span<const Vec3> points, const Vec3& centre, const Ve
 
 }  // namespace
 
-void MotionSums::add(const Vec3& d, const Vec3& n, double w) {
+void MotionSums::add(const Vec3& d, const Vec3& n, double w, double normalSigma) {
   Vec6 j;
   j << d.cross(n), n;
-  pairs.noalias() += (w * j) * j.transpose();
-  secondMoment.noalias() += (w * d) * d.transpose();
-  firstMoment += w * d;
+  const Mat6 product = (w * j) * j.transpose();
+  const double variance = normalSigma * normalSigma;
+  pairs += product;
   weight += w;
+  noisyPairs_ += variance * product;
+  secondMoment_.noalias() += (w * variance * d) * d.transpose();
+  firstMoment_ += w * variance * d;
+  noise_ += w * variance;
 }
 
-MotionSums& MotionSums::operator+=(const MotionSums& other) {
-  pairs += other.pairs;
-  secondMoment += other.secondMoment;
-  firstMoment += other.firstMoment;
-  weight += other.weight;
-  return *this;
-}
-
-Mat6 MotionSums::pretended(double normalSigma) const {
+Mat6 MotionSums::pretended() const {
   // J = A n with A = ([d]x; 1), so the sum over three orthogonal normals is A A^T.
   Eigen::Matrix3d cross;
-  cross << 0.0, -firstMoment.z(), firstMoment.y(), firstMoment.z(), 0.0, -firstMoment.x(), -firstMoment.y(),
-      firstMoment.x(), 0.0;
+  cross << 0.0, -firstMoment_.z(), firstMoment_.y(), firstMoment_.z(), 0.0, -firstMoment_.x(), -firstMoment_.y(),
+      firstMoment_.x(), 0.0;
   Mat6 all;
-  all.topLeftCorner<3, 3>() = secondMoment.trace() * Eigen::Matrix3d::Identity() - secondMoment;
+  all.topLeftCorner<3, 3>() = secondMoment_.trace() * Eigen::Matrix3d::Identity() - secondMoment_;
   all.topRightCorner<3, 3>() = cross;
   all.bottomLeftCorner<3, 3>() = -cross;
-  all.bottomRightCorner<3, 3>() = weight * Eigen::Matrix3d::Identity();
-  return normalSigma * normalSigma * (all - pairs);
+  all.bottomRightCorner<3, 3>() = noise_ * Eigen::Matrix3d::Identity();
+  return all - noisyPairs_;
 }
 
 Stability analyseStability(std::span<const Vec3> points, std::span<const Vec3> normals, std::span<const double> weights,
                            const StabilityOptions& options) {
-  if (points.size() != normals.size() || (!weights.empty() && weights.size() != points.size()))
+  const auto fits = [&](std::span<const double> values) { return values.empty() || values.size() == points.size(); };
+  if (points.size() != normals.size() || !fits(weights) || !fits(options.normalSigmas))
     throw InvalidInput("stability needs one normal and one weight for every point");
   if (!(options.noiseSigma > 0.0)) throw InvalidInput("stability needs a positive noise");
 
@@ -86,13 +83,14 @@ Stability analyseStability(std::span<const Vec3> points, std::span<const Vec3> n
   const double radius = stability.radius > 0.0 ? stability.radius : 1.0;
   MotionSums sums;
   for (std::size_t i = 0; i < points.size(); ++i)
-    sums.add(points[i] - stability.centre, normals[i], weights.empty() ? 1.0 : weights[i]);
+    sums.add(points[i] - stability.centre, normals[i], weights.empty() ? 1.0 : weights[i],
+             options.normalSigmas.empty() ? options.normalSigma : options.normalSigmas[i]);
 
   // y = (radius * rotation, translation) = scale^-1 x makes all six directions comparable.
   Vec6 scale;
   scale << Vec3::Constant(1.0 / radius), Vec3::Ones();
   const Mat6 toMotion = scale.asDiagonal();
-  Mat6 scaled = toMotion * (sums.pairs - sums.pretended(options.normalSigma)) * toMotion;
+  Mat6 scaled = toMotion * (sums.pairs - sums.pretended()) * toMotion;
   scaled = withoutNegativeParts(scaled) / (options.noiseSigma * options.noiseSigma);
   if (options.prior) scaled += toMotion * informationAbout(*options.prior, stability.centre) * toMotion;
 

@@ -27,23 +27,31 @@ struct StabilityOptions {
   /// Noise of a pair's normal [rad]. Noisy normals make a smooth cylinder look as if it could not turn; what they
   /// pretend is taken off the information.
   double normalSigma = 0.0;
+  /// The same where it differs from point to point, one per point; empty: normalSigma for all. A large even plate with
+  /// sure normals does not drown the small part on it that alone knows about turns.
+  std::span<const double> normalSigmas;
   std::optional<PosePrior> prior;  ///< added to what the points tell
 };
 
 /// Sums over oriented points x_i, n_i, w_i of what they tell about motions around a centre c, in units of the weights:
-/// pairs = sum w J J^T with J = ((x - c) x n, n).
-struct MotionSums {
+/// pairs = sum w J J^T with J = ((x - c) x n, n), and how much of that the noise of the normals pretends.
+class MotionSums {
+ public:
   Mat6 pairs = Mat6::Zero();
-  Eigen::Matrix3d secondMoment = Eigen::Matrix3d::Zero();  ///< sum w (x - c)(x - c)^T
-  Vec3 firstMoment = Vec3::Zero();                         ///< sum w (x - c)
   double weight = 0.0;
 
-  void add(const Vec3& pointFromCentre, const Vec3& normal, double weight);
-  MotionSums& operator+=(const MotionSums& other);
+  /// @param normalSigma noise of the normal per axis [rad]
+  void add(const Vec3& pointFromCentre, const Vec3& normal, double weight, double normalSigma);
 
-  /// What normals with that noise per axis [rad] pretend to know: sigma^2 (sum of J J^T over three orthogonal normals
-  /// per point, less pairs).
-  [[nodiscard]] Mat6 pretended(double normalSigma) const;
+  /// Sum of w sigma^2 (J J^T over three orthogonal normals, less that of the normal itself).
+  [[nodiscard]] Mat6 pretended() const;
+
+ private:
+  // All weighted by w sigma^2.
+  Mat6 noisyPairs_ = Mat6::Zero();
+  Eigen::Matrix3d secondMoment_ = Eigen::Matrix3d::Zero();
+  Vec3 firstMoment_ = Vec3::Zero();
+  double noise_ = 0.0;
 };
 
 /// Point-to-plane information of oriented points (Gelfand et al. 2003): (pairs - pretended) / noiseSigma^2, negative

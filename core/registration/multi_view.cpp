@@ -8,6 +8,7 @@
 #include "base/errors.h"
 #include "base/parallel.h"
 #include "registration/pair_term.h"
+#include "registration/registration_scale.h"
 #include "registration/view_network.h"
 
 namespace vantage {
@@ -15,8 +16,7 @@ namespace {
 
 constexpr double kLeastSigma = 1e-4;  // [mm]
 constexpr double kPriorAngle = radians(3.0);
-constexpr double kPriorShift = 3.0;  // [mm]
-// While few points are looked up the poses need not be better than this [mm].
+// While few points are looked up the poses need not be better than this share of the final gate.
 constexpr double kCoarseTolerance = 0.02;
 // The error may rise so much when poses give in to the ties: the pairs' noise has been fitted before.
 constexpr double kMayRise = 1.02;
@@ -76,7 +76,7 @@ class NormalEquations {
 class Refiner {
  public:
   Refiner(std::span<const View> views, const MultiViewOptions& options, const Progress& progress)
-      : options_(options), views_(prepareViews(views, progress)) {
+      : views_(prepareViews(views, progress)), scale_(scaleOf(views_)), options_(resolved(options, scale_)) {
     for (const View& view : views) start_.push_back(view.T_object_scanner);
     poses_ = start_;
     measureObject();
@@ -86,22 +86,23 @@ class Refiner {
 
   MultiViewResult run(const Progress& progress) {
     MultiViewResult result;
-    auto rough = findLinks(views_, poses_, gatesAt(options_.coarseGate), options_.minOverlap, options_.coarsePoints,
+    auto rough = findLinks(views_, poses_, gatesAt(*options_.coarseGate), options_.minOverlap, options_.coarsePoints,
                            options_.leastPoints, progress.part(0.0, 0.1));
     result.rmsBefore = errorOf(rough, progress.part(0.1, 0.15));
     const double tensionBefore = tension();
     std::vector<ViewLink> judges = rough;
-    settle(rough, options_.coarseGate, kCoarseTolerance, progress.part(0.15, 0.4), result.iterations);
-    auto fine = findLinks(views_, poses_, gatesAt(options_.finalGate), options_.minOverlap, options_.finePoints,
+    settle(rough, *options_.coarseGate, kCoarseTolerance * *options_.finalGate, progress.part(0.15, 0.4),
+           result.iterations);
+    auto fine = findLinks(views_, poses_, gatesAt(*options_.finalGate), options_.minOverlap, options_.finePoints,
                           options_.leastPoints, progress.part(0.4, 0.45));
-    settle(fine, options_.finalGate, options_.tolerance, progress.part(0.45, 0.95), result.iterations);
+    settle(fine, *options_.finalGate, options_.tolerance, progress.part(0.45, 0.95), result.iterations);
     result.rmsAfter = errorOf(judges, progress.part(0.95, 1.0));
     result.improved = result.rmsAfter < result.rmsBefore ||
                       (tension() < tensionBefore && result.rmsAfter < kMayRise * result.rmsBefore);
     if (!result.improved) {
       poses_ = start_;
       result.rmsAfter = result.rmsBefore;
-      findPairs(views_, poses_, gatesAt(options_.finalGate), progress.part(0.95, 1.0), fine);
+      findPairs(views_, poses_, gatesAt(*options_.finalGate), progress.part(0.95, 1.0), fine);
     }
     result.poses = poses_;
     for (const ViewLink& link : fine)
@@ -113,7 +114,7 @@ class Refiner {
   }
 
  private:
-  [[nodiscard]] PairGates gatesAt(double gate) const { return {gate, options_.hiddenDepth, options_.maxAngle}; }
+  [[nodiscard]] PairGates gatesAt(double gate) const { return {gate, *options_.hiddenDepth, options_.maxAngle}; }
 
   // Centre and size of all views together, centre of each.
   void measureObject() {
@@ -150,8 +151,8 @@ class Refiner {
   }
 
   double errorOf(std::vector<ViewLink>& links, const Progress& progress) const {
-    findPairs(views_, poses_, gatesAt(options_.finalGate), progress, links);
-    return robustRms(links, options_.finalGate);
+    findPairs(views_, poses_, gatesAt(*options_.finalGate), progress, links);
+    return robustRms(links, *options_.finalGate);
   }
 
   void settle(std::vector<ViewLink>& links, double gate, double tolerance, const Progress& progress, int& iterations) {
@@ -160,26 +161,26 @@ class Refiner {
       const Progress part = progress.part(round / rounds, (round + 1) / rounds);
       findPairs(views_, poses_, gatesAt(gate), part.part(0.0, 0.8), links);
       const double sigma = std::max(kLeastSigma, deviation(links));
-      const double moved = step(links, sigma, part.part(0.8, 1.0));
+      const double moved = step(links, pairNoise(sigma, gate, *options_.finalGate), part.part(0.8, 1.0));
       ++iterations;
-      if (gate <= options_.finalGate && moved < tolerance) break;
-      const double wanted = moved < 0.1 * gate ? std::min(0.5 * gate, 4.0 * sigma) : 4.0 * sigma;
-      gate = std::max(options_.finalGate, std::min(gate, wanted));
+      if (gate <= *options_.finalGate && moved < tolerance) break;
+      const double wanted = moved < 0.1 * gate ? 0.5 * gate : std::max(0.5 * gate, 4.0 * sigma);
+      gate = std::max(*options_.finalGate, std::min(gate, wanted));
     }
-    findPairs(views_, poses_, gatesAt(options_.finalGate), progress.part(1.0 - 1.0 / rounds, 1.0), links);
+    findPairs(views_, poses_, gatesAt(*options_.finalGate), progress.part(1.0 - 1.0 / rounds, 1.0), links);
   }
 
   // One Gauss-Newton step of all poses but the first; returns how far the farthest view moves [mm].
-  double step(const std::vector<ViewLink>& links, double sigma, const Progress& progress) {
+  double step(const std::vector<ViewLink>& links, const PairNoise& noise, const Progress& progress) {
     std::vector<PairTerm> terms(links.size());
     parallelChunks(links.size(), 1, progress, [&](std::size_t l, std::size_t) {
-      terms[l] = pairTerm(links[l].pairs, poses_[links[l].to], centre_, radius_, sigma);
+      terms[l] = pairTerm(links[l].pairs, poses_[links[l].to], centre_, radius_, noise);
     });
     NormalEquations equations(views_.size());
     for (std::size_t l = 0; l < links.size(); ++l) equations.addLink(links[l].from, links[l].to, terms[l]);
     for (std::size_t i = 1; i < views_.size(); ++i) {
       if (tied_[i]) continue;
-      const PosePrior prior = isotropicPrior(kPriorAngle, kPriorShift, centres_[i]);
+      const PosePrior prior = isotropicPrior(kPriorAngle, looseShift(scale_), centres_[i]);
       const Mat6 toPrior = changeOfCentre(centre_, prior.centre);
       const Vec6 away = motionVector(poses_[i] * start_[i].inverse(), prior.centre);
       equations.addPrior(i, informationAbout(prior, centre_), -toPrior.transpose() * prior.information * away);
@@ -206,8 +207,9 @@ class Refiner {
     return stability.analyse(sigma);
   }
 
-  const MultiViewOptions& options_;
   std::vector<PreparedView> views_;
+  RegistrationScale scale_;
+  MultiViewOptions options_;
   std::vector<Pose> start_;
   std::vector<Pose> poses_;
   std::vector<bool> tied_;  // whether a tie leads to the view
@@ -219,7 +221,8 @@ class Refiner {
 }  // namespace
 
 MultiViewResult refineViews(std::span<const View> views, const MultiViewOptions& options, const Progress& progress) {
-  if (!(options.finalGate > 0.0) || !(options.coarseGate >= options.finalGate))
+  if ((options.finalGate && !(*options.finalGate > 0.0)) ||
+      (options.finalGate && options.coarseGate && !(*options.coarseGate >= *options.finalGate)))
     throw InvalidInput("multi-view registration needs gates with 0 < final gate <= coarse gate");
   for (const PoseTie& tie : options.ties)
     if (tie.from >= views.size() || tie.to >= views.size() || tie.from == tie.to)

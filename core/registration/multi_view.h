@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -20,11 +21,11 @@ struct PoseTie {
 };
 
 struct MultiViewOptions {
-  double coarseGate = 2.0;          ///< largest distance of a pair at the beginning [mm]
-  double finalGate = 0.8;           ///< and at the end [mm]
-  double maxAngle = radians(35.0);  ///< between the normals of a pair [rad]
-  double hiddenDepth = 10.0;        ///< surface farther behind another view's counts as hidden [mm]
-  double minOverlap = 0.03;         ///< share of a view's points that must meet another view for the two to be tied
+  std::optional<double> coarseGate;   ///< largest distance of a pair at the beginning [mm]; unset: by the scale
+  std::optional<double> finalGate;    ///< and at the end [mm]; unset: by the scale (see RegistrationScale)
+  double maxAngle = radians(35.0);    ///< between the normals of a pair [rad]
+  std::optional<double> hiddenDepth;  ///< surface farther behind counts as hidden [mm]; unset: by the scale
+  double minOverlap = 0.03;           ///< share of a view's points that must meet another view for the two to be tied
   /// Points looked up per round, shared by all pairs of views; each direction of a pair gets at least `leastPoints`.
   std::size_t coarsePoints = 30000;  ///< until the poses settle
   std::size_t finePoints = 300000;   ///< in the last rounds
@@ -32,8 +33,8 @@ struct MultiViewOptions {
   int maxIterations = 40;
   double tolerance = 2e-3;  ///< the poses have settled when points move less than this [mm]
   /// What the mechanics know of the motions between views: a chain of moves does not forget what was commanded, however
-  /// often the poses are refined. A view that no tie leads to is held at its pose by 3 degrees and 3 mm about its
-  /// centroid, which decides about motions that no pair of views holds.
+  /// often the poses are refined. A view that no tie leads to is held at its pose by 3 degrees and a fortieth of its
+  /// extent about its centroid, which decides about motions that no pair of views holds.
   std::vector<PoseTie> ties;
 };
 

@@ -21,6 +21,16 @@ void OrientedPoints::append(const OrientedPoints& other, const Pose& T_this_othe
   confidence.insert(confidence.end(), other.confidence.begin(), other.confidence.end());
 }
 
+OrientedPoints thinnedPoints(const OrientedPoints& points, std::size_t count) {
+  OrientedPoints some;
+  for (const std::uint32_t k : thinned(allIndices(points.size()), count)) {
+    some.points.push_back(points.points[k]);
+    some.normals.push_back(points.normals[k]);
+    some.confidence.push_back(points.confidence[k]);
+  }
+  return some;
+}
+
 std::vector<std::uint32_t> allIndices(std::size_t size) {
   std::vector<std::uint32_t> all(size);
   std::iota(all.begin(), all.end(), 0U);

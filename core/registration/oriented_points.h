@@ -20,6 +20,9 @@ struct OrientedPoints {
   void append(const OrientedPoints& other, const Pose& T_this_other);
 };
 
+/// About `count` of the points, spread evenly; all when there are fewer.
+[[nodiscard]] OrientedPoints thinnedPoints(const OrientedPoints& points, std::size_t count);
+
 /// Indices 0..size-1.
 [[nodiscard]] std::vector<std::uint32_t> allIndices(std::size_t size);
 

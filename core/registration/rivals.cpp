@@ -13,7 +13,7 @@ constexpr std::size_t kPoints = 800;
 constexpr int kDirections = 3;
 constexpr int kMaxIterations = 20;
 constexpr double kFirstGates = 3.0;  // [final gates]
-constexpr double kTolerance = 0.05;  // [mm]
+constexpr double kTolerance = 0.06;  // [final gates]
 // Starts at this many sigmas of the prior to either side.
 constexpr double kFarthest = 3.0;
 constexpr int kStartsPerSide = 3;
@@ -68,18 +68,19 @@ double distanceBetween(const Pose& a, const Pose& b, const Stability& s) {
 Rival findRival(const Aligner& aligner, const Fit& found, const std::vector<std::uint32_t>& points,
                 const Stability& stability, const PosePrior& prior, const IcpOptions& options,
                 const Progress& progress) {
-  const double same = kSameGates * options.finalGate;
+  const double same = kSameGates * *options.finalGate;
   const std::vector<Vec6> motions = startMotions(stability, prior, same);
   if (motions.empty()) return {};
   const auto ids = aligner.visible(found.T_object_scanner, points, kPoints, progress.part(0.0, 0.1));
-  const Aligner::Schedule inPlace{options.finalGate, options.finalGate, 0.0, 0};
+  const Aligner::Schedule inPlace{*options.finalGate, *options.finalGate, 0.0, 0};
   const Fit best = aligner.run(found.T_object_scanner, ids, inPlace, progress.part(0.1, 0.2));
   const Score bestScore = scoreOf(best.pairs);
 
   std::vector<double> distances(motions.size(), 0.0);
   parallelChunks(motions.size(), 1, progress.part(0.2, 1.0), [&](std::size_t begin, std::size_t) {
     const Pose start = motionAbout(stability.centre, motions[begin]) * found.T_object_scanner;
-    const Aligner::Schedule schedule{kFirstGates * options.finalGate, options.finalGate, kTolerance, kMaxIterations};
+    const Aligner::Schedule schedule{kFirstGates * *options.finalGate, *options.finalGate,
+                                     kTolerance * *options.finalGate, kMaxIterations};
     const Fit other = aligner.run(start, ids, schedule, Progress());
     const double distance = distanceBetween(other.T_object_scanner, found.T_object_scanner, stability);
     const Score score = scoreOf(other.pairs);

@@ -22,7 +22,7 @@ std::optional<Finding> failure(const Evidence& e, const VerdictLimits& limits) {
 
 std::optional<Finding> doubt(const Evidence& e, const VerdictLimits& limits) {
   if (e.rivalDistance > 0.0) return Finding{VerdictReason::Rival, e.rivalDistance, {}};
-  if (e.heldByPrior > 0 || e.stability.poseSigma > limits.maxPoseSigma)
+  if (e.heldByPrior > 0 || (limits.maxPoseSigma && e.stability.poseSigma > *limits.maxPoseSigma))
     return Finding{VerdictReason::HeldByMechanics, std::nullopt, e.stability.weakMotions};
   if (e.inlierShare < limits.lowInlierShare) return Finding{VerdictReason::FewInliers, e.inlierShare, {}};
   if (e.conflictShare > limits.doubtfulConflicts) return Finding{VerdictReason::Conflicts, e.conflictShare, {}};
@@ -49,9 +49,10 @@ std::string_view name(Verdict verdict) {
 
 std::string_view name(VerdictReason reason) {
   constexpr std::array<std::string_view, static_cast<std::size_t>(kLastVerdictReason) + 1> kNames{
-      "not_registered", "first_view",        "first_imported", "earlier_version", "inliers",
-      "few_inliers",    "few_pairs",         "conflicts",      "residual",        "motion",
-      "rival",          "held_by_mechanics", "not_settled"};
+      "not_registered", "first_view",         "first_imported", "earlier_version", "inliers",     "few_inliers",
+      "few_pairs",      "conflicts",          "residual",       "motion",          "rival",       "held_by_mechanics",
+      "not_settled",    "contradicts_others", "no_pose_given",  "other_position",  "other_turns", "inverse_list",
+      "other_unit",     "other_frame",        "axis_beside"};
   return kNames.at(static_cast<std::size_t>(reason));
 }
 

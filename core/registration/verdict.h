@@ -19,17 +19,17 @@ enum class Verdict : std::uint8_t {
 
 /// When a registration is doubtful and when it has failed.
 struct VerdictLimits {
-  std::size_t minPairs = 100;       ///< fewer: failed
-  std::size_t fewPairs = 400;       ///< fewer: doubtful
-  double minInlierShare = 0.4;      ///< of the expected overlap; less: failed
-  double lowInlierShare = 0.75;     ///< less: doubtful
-  double doubtfulConflicts = 0.04;  ///< share of points the scanner looked through
-  double maxConflicts = 0.15;       ///< more: failed
-  double doubtfulResidual = 2.0;    ///< robust residual, in multiples of what noise and spacing explain
-  double maxResidual = 4.0;         ///< more: failed
-  double doubtfulMotion = 4.0;      ///< distance from the start pose in sigmas of the prior
-  double maxMotion = 7.0;           ///< more: failed
-  double maxPoseSigma = 0.1;        ///< of the pairs alone [mm]; more: doubtful
+  std::size_t minPairs = 100;          ///< fewer: failed
+  std::size_t fewPairs = 400;          ///< fewer: doubtful
+  double minInlierShare = 0.4;         ///< of the expected overlap; less: failed
+  double lowInlierShare = 0.75;        ///< less: doubtful
+  double doubtfulConflicts = 0.04;     ///< share of points the scanner looked through
+  double maxConflicts = 0.15;          ///< more: failed
+  double doubtfulResidual = 2.0;       ///< robust residual, in multiples of what noise and spacing explain
+  double maxResidual = 4.0;            ///< more: failed
+  double doubtfulMotion = 4.0;         ///< distance from the start pose in sigmas of the prior
+  double maxMotion = 7.0;              ///< more: failed
+  std::optional<double> maxPoseSigma;  ///< of the pairs alone [mm]; more: doubtful; unset: by the scale of the scans
 };
 
 /// What a registration has to show for itself.
@@ -47,23 +47,31 @@ struct Evidence {
 
 /// What a verdict rests on.
 enum class VerdictReason : std::uint8_t {
-  NotRegistered,    ///< nothing was registered yet
-  FirstView,        ///< the first view of an acquisition: it defines the frame
-  FirstImported,    ///< the first of recorded scans: the others are brought to it
-  EarlierVersion,   ///< an earlier version registered it and left no reason that is known
-  Inliers,          ///< enough of the expected overlap fits [share, 0..1]
-  FewInliers,       ///< too little of the expected overlap fits [share, 0..1]
-  FewPairs,         ///< so few points overlap with the model
-  Conflicts,        ///< the scanner looked through the model's surface [share of points, 0..1]
-  Residual,         ///< the surfaces differ by more than noise and spacing explain [multiples of that]
-  Motion,           ///< it moved away from where the mechanics put it [sigmas of the prior]
-  Rival,            ///< another pose fits as well, so far away [mm]
-  HeldByMechanics,  ///< the surface lets go of some motions; the mechanics alone hold them
-  NotSettled,       ///< the pose had not come to rest when the iterations ran out
+  NotRegistered,      ///< nothing was registered yet
+  FirstView,          ///< the first view of an acquisition: it defines the frame
+  FirstImported,      ///< the first of recorded scans: the others are brought to it
+  EarlierVersion,     ///< an earlier version registered it and left no reason that is known
+  Inliers,            ///< enough of the expected overlap fits [share, 0..1]
+  FewInliers,         ///< too little of the expected overlap fits [share, 0..1]
+  FewPairs,           ///< so few points overlap with the model
+  Conflicts,          ///< the scanner looked through the model's surface [share of points, 0..1]
+  Residual,           ///< the surfaces differ by more than noise and spacing explain [multiples of that]
+  Motion,             ///< it moved away from where the mechanics put it [sigmas of the prior]
+  Rival,              ///< another pose fits as well, so far away [mm]
+  HeldByMechanics,    ///< the surface lets go of some motions; the mechanics alone hold them
+  NotSettled,         ///< the pose had not come to rest when the iterations ran out
+  ContradictsOthers,  ///< it contradicts what the other scans agree on [share of points, 0..1]
+  NoPoseGiven,        ///< nobody said where it was taken from, and its surface alone does not tell
+  OtherPosition,      ///< it fits another position than it was said to be of [index of the position that it fits]
+  OtherTurns,         ///< it fits where every turn is another multiple of the list's [turned / listed]
+  InverseList,        ///< it fits where the list has the inverse of every pose
+  OtherUnit,          ///< it fits where positions of the list are in another unit [mm per unit]
+  OtherFrame,         ///< it fits where two axes of the scanner point the other way [1 x, 2 y, 3 z: the one that stays]
+  AxisBeside,         ///< it fits where the axis lies beside the list's [mm]
 };
-inline constexpr VerdictReason kLastVerdictReason = VerdictReason::NotSettled;
+inline constexpr VerdictReason kLastVerdictReason = VerdictReason::AxisBeside;
 
-/// "not_registered", "first_view", ..., "not_settled".
+/// "not_registered", "first_view", ..., "axis_beside".
 [[nodiscard]] std::string_view name(VerdictReason reason);
 
 /// The gravest thing that was found about a registration.

@@ -35,6 +35,13 @@ void keepSeen(const PreparedView& from, const PreparedView& to, const Pose& T_to
 
 PreparedView::PreparedView(const View& view) : surface(*view.mesh, *view.image->rays), points(surface.pointsInside()) {}
 
+RegistrationScale scaleOf(std::span<const PreparedView> views) {
+  std::vector<RegistrationScale> scales;
+  for (const PreparedView& view : views)
+    if (!view.surface.view().mesh.empty()) scales.push_back(scaleOf(view.surface));
+  return scaleOf(scales);
+}
+
 std::vector<PreparedView> prepareViews(std::span<const View> views, const Progress& progress) {
   std::vector<std::optional<PreparedView>> slots(views.size());
   parallelChunks(views.size(), 1, progress, [&](std::size_t i, std::size_t) { slots[i].emplace(views[i]); });

@@ -6,6 +6,7 @@
 
 #include "registration/multi_view.h"
 #include "registration/pair_finding.h"
+#include "registration/registration_scale.h"
 
 namespace vantage {
 
@@ -16,6 +17,9 @@ struct PreparedView {
 
   explicit PreparedView(const View& view);
 };
+
+/// That of all views together.
+[[nodiscard]] RegistrationScale scaleOf(std::span<const PreparedView> views);
 
 /// @throws Cancelled
 [[nodiscard]] std::vector<PreparedView> prepareViews(std::span<const View> views, const Progress& progress);

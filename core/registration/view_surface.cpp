@@ -15,6 +15,9 @@ constexpr std::uint8_t kAed = 2;
 constexpr std::uint8_t kAbd = 4;
 constexpr std::uint8_t kBed = 8;
 
+// Rays to each side that must have met nothing for a place to be empty.
+constexpr int kAround = 2;
+
 // For every cell of the grid the triangles that it has.
 std::vector<std::uint8_t> trianglesOfCells(const ViewMesh& view, const RayGrid& rays) {
   std::vector<std::uint8_t> cells(rays.size(), 0);
@@ -70,6 +73,17 @@ ViewSurface::ViewSurface(const ViewMesh& view, const RayGrid& rays)
 
 OrientedPoints ViewSurface::pointsInside() const {
   return vantage::pointsInside(view_->mesh, normals_, view_->onBoundary, view_->confidence);
+}
+
+bool ViewSurface::isEmptyAround(const GridPosition& position) const {
+  const int row = static_cast<int>(std::lround(position.row));
+  const int column = static_cast<int>(std::lround(position.column));
+  if (row < kAround || column < kAround || row >= rays_->rows() - kAround || column >= rays_->columns() - kAround)
+    return false;
+  for (int r = row - kAround; r <= row + kAround; ++r)
+    for (int c = column - kAround; c <= column + kAround; ++c)
+      if (view_->vertexOfSample[rays_->index(r, c)] != kNoIndex) return false;
+  return true;
 }
 
 std::optional<SurfaceSample> ViewSurface::sample(const Vec3& p, std::optional<GridPosition>& position) const {

@@ -35,6 +35,9 @@ class ViewSurface {
     return rays_->ray(rays_->nearest(position)).direction;
   }
 
+  /// Whether no ray within two of a place in the grid met surface; false at the grid's own rim.
+  [[nodiscard]] bool isEmptyAround(const GridPosition& position) const;
+
   [[nodiscard]] const ViewMesh& view() const { return *view_; }
   /// The vertices away from the border, scanner coordinates.
   [[nodiscard]] OrientedPoints pointsInside() const;

@@ -1,5 +1,6 @@
 #include "report/wording.h"
 
+#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -10,6 +11,12 @@ Phrase axisPhrase(const Vec3& axis) {
   for (int k = 0; k < 3; ++k)
     if (axis == Vec3::Unit(k)) return asIs(std::string(1, "xyz"[k]));
   return words("(%1, %2, %3)", {figure(axis.x(), 1), figure(axis.y(), 1), figure(axis.z(), 1)});
+}
+
+Phrase turnsPhrase(double factor) {
+  if (factor < 0.0)
+    return words("it fits if the turns go the other way, %1 times as far as listed", {figure(-factor, 2)});
+  return words("it fits if every turn is %1 times what the list says", {figure(factor, 2)});
 }
 
 // One overload for each kind of command.
@@ -101,6 +108,25 @@ Phrase phraseOf(const Finding& finding) {
       return words("the surface %1: that part of the pose is the mechanics' word alone", {phraseOf(finding.motions)});
     case VerdictReason::NotSettled:
       return words("the pose had not come to rest when the iterations ran out");
+    case VerdictReason::ContradictsOthers:
+      return words("it contradicts what the other scans agree on, with %1 % of its points there",
+                   {figure(100.0 * value)});
+    case VerdictReason::NoPoseGiven:
+      return words("no pose was given for it, and its surface alone does not say where it belongs");
+    case VerdictReason::OtherPosition:
+      return words("it does not fit the position that it was said to be of; it fits position %1", {figure(value)});
+    case VerdictReason::OtherTurns:
+      return turnsPhrase(value);
+    case VerdictReason::InverseList:
+      return words("it fits if the list has the inverse of every pose");
+    case VerdictReason::OtherUnit:
+      return words("it fits if positions in the list are taken times %1: another unit",
+                   {figure(value, value < 1.0 ? 4 : 1)});
+    case VerdictReason::OtherFrame:
+      return words("it fits if the scanner's other axes than %1 point the other way",
+                   {asIs(std::string(1, "xyz"[std::clamp(static_cast<int>(value), 1, 3) - 1]))});
+    case VerdictReason::AxisBeside:
+      return words("it fits if the axis is %1 mm beside where the list has it", {figure(value, 1)});
   }
   return words("");
 }

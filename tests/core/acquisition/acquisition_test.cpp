@@ -115,7 +115,8 @@ TEST_F(AcquisitionTest, TheObjectAndHowScansBecomeMeshesStayOnceThereAreScans) {
 
 TEST_F(AcquisitionTest, SettingsThatContradictEachOtherAreRefused) {
   AcquisitionSettings contradicting = settings(8);
-  contradicting.registration.finalGate = 2.0 * contradicting.registration.coarseGate;
+  contradicting.registration.coarseGate = 5.0;
+  contradicting.registration.finalGate = 10.0;
   Acquisition acquisition = this->acquisition();
   EXPECT_EQ(acquisition.mayDo(ChangeSettings{contradicting})->reason, RefusalReason::Contradiction);
   EXPECT_THROW(acquisition.carryOut(ChangeSettings{contradicting}), InvalidInput);

@@ -61,6 +61,26 @@ TEST(ImportScans, RejectsAScanWithoutSurface) {
   EXPECT_THROW(static_cast<void>(imported({})), InvalidInput);
 }
 
+TEST(ImportScans, FindsNoFaultInAListThatIsRight) {
+  EXPECT_FALSE(poseListFault(imported(recordedScans({0, 2, 4, 6}))));
+}
+
+TEST(ImportScans, SaysThatEveryTurnIsHalfOfWhatTheListSays) {
+  std::vector<NumberedScan> scans = recordedScans({0, 1, 2, 3, 4, 5});
+  const auto profile = testing::smallProfile();
+  for (std::size_t i = 0; i < scans.size(); ++i) {
+    RangeImage image = *scans[i].image;
+    image.T_table_scanner = profile->workspace.poses[2 * i];
+    scans[i].image = std::make_shared<const RangeImage>(std::move(image));
+  }
+  const AcquisitionState state = imported(scans);
+  for (const KeptScan& scan : state.scans) EXPECT_NE(scan.record.registration.verdict, Verdict::Good) << scan.number;
+  const auto fault = poseListFault(state);
+  ASSERT_TRUE(fault);
+  EXPECT_EQ(fault->fault, PoseListFault::Turns);
+  EXPECT_NEAR(fault->value, 0.5, 0.03);
+}
+
 TEST(KeptScan, IsTriangulatedWhereItWasReached) {
   const NumberedScan scan = recordedScans({3})[0];
   const KeptScan kept = keepAsView(scan, {});

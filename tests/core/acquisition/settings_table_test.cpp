@@ -174,6 +174,7 @@ TEST(SettingsTable, UnsetIsAutomatic) {
 
 TEST(SettingsTable, ContradictionIsRefused) {
   AcquisitionSettings settings;
+  settings.registration.coarseGate = 10.0;
   settings.registration.finalGate = 12.0;
   try {
     checkSettings(settings);

@@ -41,9 +41,10 @@ TEST(Settings, OfAnAcquisitionWithScansKeepObjectAndMeshes) {
 TEST(Settings, AgreeUntilAFineGateIsLargerThanTheCoarseOne) {
   AcquisitionSettings settings;
   EXPECT_TRUE(agree(settings));
+  settings.refinement.coarseGate = 2.0;
   settings.refinement.finalGate = settings.refinement.coarseGate;
   EXPECT_TRUE(agree(settings));
-  settings.refinement.finalGate *= 1.5;
+  settings.refinement.finalGate = 3.0;
   EXPECT_FALSE(agree(settings));
   expectError<InvalidInput>([&] { checkSettings(settings); }, {"refinement.final_gate", "refinement.coarse_gate"});
 }

@@ -186,6 +186,7 @@ TEST(Icp, RefusesGatesThatContradictEachOther) {
   const View view = scanFrom(makeBall(), makeProfile(0.1), 0);
   IcpOptions options;
   options.coarseGate = 0.1;
+  options.finalGate = 0.8;
   EXPECT_THROW((void)registerFrom(view, view.T_object_scanner, targetOf(view), options), InvalidInput);
 }
 

@@ -79,7 +79,7 @@ Cloud corner() {
 
 TEST(MotionInformation, OfOnePointIsTheOuterProductOfItsMotion) {
   MotionSums sums;
-  sums.add(Vec3(1, 2, 3), Vec3(0, 0, 1), 2.0);
+  sums.add(Vec3(1, 2, 3), Vec3(0, 0, 1), 2.0, 0.0);
   // (1, 2, 3) x (0, 0, 1) = (2, -1, 0).
   Vec6 j;
   j << 2, -1, 0, 0, 0, 1;
@@ -90,14 +90,14 @@ TEST(MotionInformation, PretendedIsTheMeanOfWhatNoisyNormalsAdd) {
   // For a normal along z the noise tilts it along x and y: J for those two normals.
   const Vec3 d(1, 2, 3);
   MotionSums sums;
-  sums.add(d, Vec3::UnitZ(), 1.0);
+  sums.add(d, Vec3::UnitZ(), 1.0, 0.1);
   Mat6 expected = Mat6::Zero();
   for (int axis = 0; axis < 2; ++axis) {
     Vec6 j;
     j << d.cross(Vec3::Unit(axis)), Vec3::Unit(axis);
     expected += 0.01 * j * j.transpose();
   }
-  EXPECT_TRUE(sums.pretended(0.1).isApprox(expected));
+  EXPECT_TRUE(sums.pretended().isApprox(expected));
 }
 
 TEST(Stability, OfAPlaneLetsItSlideAndTurnInItself) {

@@ -32,11 +32,13 @@ TEST(Verdict, FailsWithoutOverlap) {
 }
 
 TEST(Verdict, EveryFindingAloneTakesTheGoodAway) {
-  const auto worse = [](auto change, Verdict expected, VerdictReason reason) {
+  VerdictLimits limits;
+  limits.maxPoseSigma = 0.1;
+  const auto worse = [&](auto change, Verdict expected, VerdictReason reason) {
     Evidence e = sound();
     change(e);
-    EXPECT_EQ(judge(e, {}).verdict, expected) << name(reason);
-    EXPECT_EQ(judge(e, {}).finding.reason, reason);
+    EXPECT_EQ(judge(e, limits).verdict, expected) << name(reason);
+    EXPECT_EQ(judge(e, limits).finding.reason, reason);
   };
   worse([](Evidence& e) { e.inlierShare = 0.6; }, Verdict::Doubtful, VerdictReason::FewInliers);
   worse([](Evidence& e) { e.inlierShare = 0.3; }, Verdict::Failed, VerdictReason::FewInliers);
@@ -64,7 +66,9 @@ TEST(Verdict, HasAName) {
   EXPECT_EQ(name(Verdict::Failed), "failed");
   EXPECT_EQ(name(VerdictReason::NotRegistered), "not_registered");
   EXPECT_EQ(name(VerdictReason::HeldByMechanics), "held_by_mechanics");
-  EXPECT_EQ(name(kLastVerdictReason), "not_settled");
+  EXPECT_EQ(name(VerdictReason::NotSettled), "not_settled");
+  EXPECT_EQ(name(VerdictReason::ContradictsOthers), "contradicts_others");
+  EXPECT_EQ(name(kLastVerdictReason), "axis_beside");
 }
 
 }  // namespace

@@ -1,0 +1,72 @@
+#include "registration/position_search.h"
+
+#include <algorithm>
+#include <numeric>
+#include <vector>
+
+#include "base/parallel.h"
+#include "registration/pair_finding.h"
+#include "registration/registration_scale.h"
+
+namespace vantage {
+namespace {
+
+constexpr std::size_t kAsked = 3000;
+// So many of the best candidates are registered.
+constexpr std::size_t kRegistered = 4;
+
+// Points that meet the view, less those that it looked through.
+double scoreAt(const ViewSurface& surface, const Pose& T_object_scanner, const RegistrationTarget& model,
+               const std::vector<std::uint32_t>& ids, const PairGates& gates) {
+  std::vector<std::optional<GridPosition>> positions(ids.size());
+  std::vector<Pair> pairs(ids.size());
+  findPairs(model.surface(), ids, T_object_scanner.inverse(), surface, gates, positions, Progress(), pairs);
+  double score = 0.0;
+  for (const Pair& pair : pairs) {
+    if (pair.state == PairState::Paired) score += 1.0;
+    if (pair.state == PairState::InFront || pair.state == PairState::Turned) score -= 1.0;
+  }
+  return score;
+}
+
+Vec3 centreOf(const ViewSurface& surface) {
+  Vec3 sum = Vec3::Zero();
+  for (const Vec3& p : surface.view().mesh.vertices) sum += p;
+  return sum / static_cast<double>(std::max<std::size_t>(surface.view().mesh.vertices.size(), 1));
+}
+
+// A registration reaches farther than from one position to the next.
+std::size_t nearest(std::span<const Pose> candidates, const Pose& found, const Vec3& centre) {
+  const auto distance = [&](const Pose& candidate) {
+    const Eigen::AngleAxisd turn(Eigen::Matrix3d(candidate.linear().transpose() * found.linear()));
+    return (candidate * centre - found * centre).norm() + centre.norm() * turn.angle();
+  };
+  const auto least = std::min_element(candidates.begin(), candidates.end(),
+                                      [&](const Pose& a, const Pose& b) { return distance(a) < distance(b); });
+  return static_cast<std::size_t>(least - candidates.begin());
+}
+
+}  // namespace
+
+std::optional<std::size_t> poseThatFits(const ViewSurface& surface, std::span<const Pose> candidates,
+                                        const RegistrationTarget& model, const IcpOptions& options,
+                                        const Progress& progress) {
+  const RegistrationScale scale = scaleOf(surface);
+  const IcpOptions icp = resolved(options, scale);
+  const PairGates gates{std::max(looseShift(scale), fineGate(scale)), *icp.hiddenDepth, icp.coarseAngle};
+  const auto ids = thinned(allIndices(model.size()), kAsked);
+  std::vector<double> scores(candidates.size());
+  parallelChunks(candidates.size(), 1, progress.part(0.0, 0.5),
+                 [&](std::size_t i, std::size_t) { scores[i] = scoreAt(surface, candidates[i], model, ids, gates); });
+  std::vector<std::size_t> best(candidates.size());
+  std::iota(best.begin(), best.end(), std::size_t{0});
+  std::stable_sort(best.begin(), best.end(), [&](std::size_t a, std::size_t b) { return scores[a] > scores[b]; });
+  best.resize(std::min(best.size(), kRegistered));
+  for (const std::size_t i : best) {
+    const RegistrationResult result = registerView(surface, candidates[i], model, options, progress.part(0.5, 1.0));
+    if (result.verdict == Verdict::Good) return nearest(candidates, result.T_object_scanner, centreOf(surface));
+  }
+  return std::nullopt;
+}
+
+}  // namespace vantage

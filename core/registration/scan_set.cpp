@@ -1,0 +1,119 @@
+#include "registration/scan_set.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "registration/view_agreement.h"
+
+namespace vantage {
+namespace {
+
+// Points of a view that are looked up on another one to find whether they contradict.
+constexpr std::size_t kAsked = 1000;
+// Share of contradicting points beyond which two views are not of the same thing in the same place.
+constexpr double kMostContradiction = 0.015;
+// What lies so many spacings in front was looked through.
+constexpr double kThroughSpacings = 2.0;
+constexpr int kMostRounds = 3;
+constexpr int kGood = 2;
+constexpr int kDoubtful = 1;
+constexpr int kOut = -1;
+
+class Judge {
+ public:
+  Judge(std::span<const View> views, std::span<const PreparedView> prepared, const AlignmentOptions& options)
+      : views_(views), prepared_(prepared), options_(options), scale_(scaleOf(prepared)) {}
+
+  ScanSet run(std::span<const Pose> given, const Progress& progress) {
+    set_.placement = placeViews(prepared_, given, options_, progress.part(0.0, 0.5));
+    for (int round = 0; round < kMostRounds; ++round) {
+      const Progress part = progress.part(0.5 + 0.15 * round, 0.65 + 0.15 * round);
+      refine(part.part(0.0, 0.8));
+      if (!removeContradictions(given, part.part(0.8, 1.0))) break;
+    }
+    liftDoubts(progress.part(0.95, 1.0));
+    return std::move(set_);
+  }
+
+ private:
+  [[nodiscard]] std::vector<std::size_t> sorted() const {
+    std::vector<std::size_t> placed = set_.placement.order;
+    std::sort(placed.begin(), placed.end());
+    return placed;
+  }
+
+  void refine(const Progress& progress) {
+    const std::vector<std::size_t> placed = sorted();
+    std::vector<View> toRefine;
+    for (const std::size_t i : placed) {
+      toRefine.push_back(views_[i]);
+      toRefine.back().T_object_scanner = set_.placement.poses[i];
+    }
+    set_.refinement = refineViews(toRefine, options_.refinement, progress);
+    for (std::size_t k = 0; k < placed.size(); ++k) set_.placement.poses[placed[k]] = set_.refinement.poses[k];
+  }
+
+  // @return whether there were any
+  bool removeContradictions(std::span<const Pose> given, const Progress& progress) {
+    Placement& placement = set_.placement;
+    std::vector<int> trust(views_.size(), kOut);
+    for (const std::size_t i : placement.order)
+      trust[i] = placement.views[i].verdict == Verdict::Good ? kGood : kDoubtful;
+    const double depth = *resolved(options_.icp, scale_).hiddenDepth;
+    const PairGates gates{std::max(kThroughSpacings * scale_.spacing, fineGate(scale_)), depth,
+                          options_.icp.finalAngle};
+    const auto all = agreements(prepared_, placement.poses, gates, kAsked, progress);
+    const auto out = contradicting(all, trust, kMostContradiction);
+    bool any = false;
+    for (std::size_t i = 0; i < views_.size(); ++i) {
+      if (!out[i]) continue;
+      any = true;
+      placement.views[i].verdict = Verdict::Failed;
+      placement.views[i].finding = {VerdictReason::ContradictsOthers, *out[i], {}};
+      placement.poses[i] = given[i];
+      std::erase(placement.order, i);
+    }
+    return any;
+  }
+
+  // All others together may hold what those placed before a view did not.
+  void liftDoubts(const Progress& progress) {
+    Placement& placement = set_.placement;
+    for (const std::size_t i : sorted()) {
+      const VerdictReason reason = placement.views[i].finding.reason;
+      if (placement.views[i].verdict != Verdict::Doubtful || reason == VerdictReason::Motion) continue;
+      OrientedPoints others;
+      for (const std::size_t j : placement.order)
+        if (j != i)
+          others.append(thinnedPoints(prepared_[j].points, options_.sampling.pointsPerView), placement.poses[j]);
+      IcpOptions icp = options_.icp;
+      icp.finePoints = options_.sampling.finePoints;
+      const RegistrationResult again =
+          registerView(prepared_[i].surface, placement.poses[i], RegistrationTarget(std::move(others)), icp, progress);
+      if (again.verdict == Verdict::Good)
+        placement.views[i] = {again.verdict, again.finding, again.rms, again.inlierShare};
+    }
+  }
+
+  std::span<const View> views_;
+  std::span<const PreparedView> prepared_;
+  const AlignmentOptions& options_;
+  RegistrationScale scale_;
+  ScanSet set_;
+};
+
+}  // namespace
+
+double ScanSet::worth() const {
+  double sum = 0.0;
+  for (const std::size_t i : placement.order) sum += placement.views[i].verdict == Verdict::Good ? 1.0 : 0.5;
+  return sum;
+}
+
+ScanSet judgedSet(std::span<const View> views, std::span<const PreparedView> prepared, std::span<const Pose> given,
+                  const AlignmentOptions& options, const Progress& progress) {
+  return Judge(views, prepared, options).run(given, progress);
+}
+
+}  // namespace vantage

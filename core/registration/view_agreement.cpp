@@ -1,0 +1,110 @@
+#include "registration/view_agreement.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "base/parallel.h"
+
+namespace vantage {
+namespace {
+
+// A point faces a scanner that must have seen it by at least this cosine.
+constexpr double kPlainlyFacing = 0.6;
+// A scanner misses what is dark or in its receiver's shadow: emptiness speaks beyond this share only.
+constexpr double kMayMiss = 0.4;
+// So few points that were looked through may be flying ones.
+constexpr double kMayFly = 8.0;
+// Fewer expected points say nothing.
+constexpr double kFewest = 25.0;
+
+Agreement between(std::span<const Agreement> agreements, std::size_t n, std::size_t i, std::size_t j) {
+  Agreement both = agreements[i * n + j];
+  both += agreements[j * n + i];
+  return both;
+}
+
+bool contradict(const Agreement& both, double most) {
+  const bool plainly = both.through >= kMayFly || both.empty > kMayMiss * both.expected();
+  return plainly && both.expected() >= kFewest && both.contradiction() > most;
+}
+
+}  // namespace
+
+Agreement& Agreement::operator+=(const Agreement& other) {
+  paired += other.paired;
+  through += other.through;
+  empty += other.empty;
+  turned += other.turned;
+  behind += other.behind;
+  return *this;
+}
+
+double Agreement::contradiction() const {
+  const double all = expected();
+  return all > 0.0 ? through / all + std::max(0.0, empty / all - kMayMiss) : 0.0;
+}
+
+Agreement agreementOf(const PreparedView& from, const PreparedView& to, const Pose& T_to_from, const PairGates& gates,
+                      std::size_t count) {
+  const auto ids = thinned(allIndices(from.points.size()), count);
+  std::vector<std::optional<GridPosition>> positions(ids.size());
+  std::vector<Pair> pairs(ids.size());
+  findPairs(from.points, ids, T_to_from, to.surface, gates, positions, Progress(), pairs);
+  Agreement found;
+  for (std::size_t k = 0; k < ids.size(); ++k) {
+    if (pairs[k].state == PairState::Paired) found.paired += 1.0;
+    if (pairs[k].state == PairState::InFront) found.through += 1.0;
+    if (pairs[k].state == PairState::Turned) found.turned += 1.0;
+    if (pairs[k].state == PairState::Behind) found.behind += 1.0;
+    if (pairs[k].state != PairState::Unseen || !positions[k]) continue;
+    const Vec3 normal = T_to_from.linear() * from.points.normals[ids[k]];
+    if (normal.dot(to.surface.directionAt(*positions[k])) > -kPlainlyFacing) continue;
+    if (to.surface.isEmptyAround(*positions[k])) found.empty += 1.0;
+  }
+  return found;
+}
+
+std::vector<Agreement> agreements(std::span<const PreparedView> views, std::span<const Pose> poses,
+                                  const PairGates& gates, std::size_t count, const Progress& progress) {
+  const std::size_t n = views.size();
+  std::vector<Agreement> all(n * n);
+  parallelChunks(n * n, 1, progress, [&](std::size_t k, std::size_t) {
+    const std::size_t i = k / n;
+    const std::size_t j = k % n;
+    if (i != j) all[k] = agreementOf(views[i], views[j], poses[j].inverse() * poses[i], gates, count);
+  });
+  return all;
+}
+
+std::vector<std::optional<double>> contradicting(std::span<const Agreement> agreements, std::span<const int> trust,
+                                                 double most) {
+  const std::size_t n = trust.size();
+  std::vector<std::size_t> in;
+  for (std::size_t i = 0; i < n; ++i)
+    if (trust[i] >= 0) in.push_back(i);
+  const auto withSet = [&](std::size_t i) {
+    Agreement sum;
+    for (const std::size_t j : in)
+      if (j != i) sum += between(agreements, n, i, j);
+    return sum;
+  };
+  std::vector<std::size_t> out;
+  while (true) {
+    std::tuple<int, int, double, std::size_t> worst{0, 0, 0.0, 0};
+    for (const std::size_t i : in) {
+      int count = 0;
+      for (const std::size_t j : in)
+        if (j != i && contradict(between(agreements, n, i, j), most)) ++count;
+      worst = std::max(worst, {count, -trust[i], withSet(i).contradiction(), i});
+    }
+    if (std::get<0>(worst) == 0) break;
+    out.push_back(std::get<3>(worst));
+    std::erase(in, out.back());
+  }
+  std::vector<std::optional<double>> result(n);
+  for (const std::size_t i : out) result[i] = withSet(i).contradiction();
+  return result;
+}
+
+}  // namespace vantage
