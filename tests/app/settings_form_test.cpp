@@ -132,6 +132,7 @@ TEST(SettingsForm, RefusedValueIsToldAndTakenBack) {
 TEST(SettingsForm, ContradictionIsToldUntilItIsResolved) {
   SettingsForm form;
   EXPECT_TRUE(form.consistent());
+  type(form, "registration.coarse_gate", "10");
   type(form, "registration.final_gate", "12");
   EXPECT_FALSE(form.consistent());
   EXPECT_TRUE(complaintOf(form).contains("registration.coarse_gate"));

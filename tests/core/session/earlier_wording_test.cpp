@@ -33,7 +33,8 @@ TEST(EarlierWording, EveryVerdictThatWasEverStoredIsUnderstood) {
       {"the surface moves freely: that part of the pose is the mechanics' word alone",
        {VerdictReason::HeldByMechanics, {}, {{Kind::Free, Vec3::Zero()}}}},
       {"the pose had not come to rest when the iterations ran out", {VerdictReason::NotSettled, {}, {}}}};
-  std::vector<bool> seen(static_cast<std::size_t>(kLastVerdictReason) + 1, false);
+  // Reasons after this one were never sentences.
+  std::vector<bool> seen(static_cast<std::size_t>(VerdictReason::NotSettled) + 1, false);
   for (const auto& [sentence, finding] : sentences) {
     EXPECT_EQ(findingFromEarlier(sentence), finding) << sentence;
     seen[static_cast<std::size_t>(finding.reason)] = true;
