@@ -12,21 +12,25 @@ namespace vantage {
 namespace {
 
 constexpr std::size_t kAsked = 3000;
+// Where fewer of them should be seen nothing is known.
+constexpr double kLeastExpected = 0.04 * static_cast<double>(kAsked);
 // So many of the best candidates are registered.
 constexpr std::size_t kRegistered = 4;
 
-// Points that meet the view, less those that it looked through.
+// What share of the model's points that the view should see it saw, less those that it did not; where much of the model
+// is in sight of a wrong pose more points meet than at the right one.
 double scoreAt(const ViewSurface& surface, const Pose& T_object_scanner, const RegistrationTarget& model,
                const std::vector<std::uint32_t>& ids, const PairGates& gates) {
   std::vector<std::optional<GridPosition>> positions(ids.size());
   std::vector<Pair> pairs(ids.size());
   findPairs(model.surface(), ids, T_object_scanner.inverse(), surface, gates, positions, Progress(), pairs);
-  double score = 0.0;
+  double met = 0.0;
+  double missed = 0.0;
   for (const Pair& pair : pairs) {
-    if (pair.state == PairState::Paired) score += 1.0;
-    if (pair.state == PairState::InFront || pair.state == PairState::Turned) score -= 1.0;
+    if (pair.state == PairState::Paired) met += 1.0;
+    if (pair.state == PairState::InFront || pair.state == PairState::Turned) missed += 1.0;
   }
-  return score;
+  return met + missed < kLeastExpected ? -1.0 : (met - missed) / (met + missed);
 }
 
 Vec3 centreOf(const ViewSurface& surface) {
