@@ -145,7 +145,7 @@ expect 0 "planner.overlap_share=0.25" "$cli" options --set planner.overlap_share
 expect 2 "planner.overlap_share is 7, expected a number from 0 to 1" "$cli" options --set planner.overlap_share=7
 expect 2 "the nearest is planner.overlap_share" "$cli" options --set planner.overlapshare=0.2
 expect 2 "expected key=value" "$cli" options --set planner.overlap_share
-expect 2 "expected no more than registration.coarse_gate" "$cli" options --set registration.final_gate=12
+expect 2 "expected no more than registration.coarse_gate" "$cli" options --set registration.final_gate=12 --set registration.coarse_gate=10
 expect 2 "max_views is 0" "$cli" acquire --object "$mug" --scanner "$scanner" --out "$work/a" --max-views 0
 expect 2 "max_views is 0" "$cli" acquire --object "$mug" --scanner "$scanner" --out "$work/a" --set max_views=0
 settings=()
