@@ -61,12 +61,14 @@ std::vector<Step> collectSteps(const SampleGrid& grid, double z0) {
 Vec6 fitSteps(const std::vector<Step>& steps, int axis, double floor) {
   Vec6 fit = Vec6::Zero();
   for (int i = 0; i < kReweightings; ++i) {
-    Mat6 a = Mat6::Zero();
+    Mat6 a = Mat6::Zero();  // the lower half, which is what is solved
     Vec6 b = Vec6::Zero();
     for (const Step& step : steps) {
       const double deviation = step.change[axis] - step.features.dot(fit);
       const double weight = i == 0 ? 1.0 : floor / (floor + std::abs(deviation));
-      a += weight * step.features * step.features.transpose();
+      const Vec6 weighted = weight * step.features;
+      for (int k = 0; k < 6; ++k)
+        for (int j = k; j < 6; ++j) a(j, k) += weighted[j] * step.features[k];
       b += weight * step.change[axis] * step.features;
     }
     // What nothing tells about stays 0.

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "base/errors.h"
+#include "base/parallel.h"
 #include "io/grid_images.h"
 #include "io/no_sample.h"
 #include "io/scan_on_rays.h"
@@ -88,19 +90,20 @@ class Interpretation {
   Interpretation(std::vector<RawScan> scans, const ScanReadingOptions& options)
       : scans_(std::move(scans)), options_(options) {}
 
-  std::vector<ReadScan> read(const std::vector<ScanPose>* list) {
-    for (RawScan& scan : scans_) {
+  std::vector<ReadScan> read(const std::vector<ScanPose>* list, const Progress& progress) {
+    parallelChunks(scans_.size(), 1, progress.part(0.0, 0.4), [&](std::size_t i, std::size_t) {
+      RawScan& scan = scans_[i];
       if (scan.file.ofProfile)
         throw InvalidInput(scan.path + ": was not taken along z: it needs the profile of its scanner");
       if (isExchanged(scan.file.samples)) exchange(scan);
       takeShift(scan);
       findSights(scan);
-    }
+    });
     takePoses(list);
     decideSights(scans_, options_);
     decideUnit();
     takeOffset();
-    return images();
+    return images(progress.part(0.4, 1.0));
   }
 
  private:
@@ -185,10 +188,14 @@ class Interpretation {
     offset_ = kOffsetStep * (middle / kOffsetStep).array().round();
   }
 
-  std::vector<ReadScan> images() const {
+  [[nodiscard]] std::vector<ReadScan> images(const Progress& progress) const {
+    std::vector<std::vector<ReadScan>> perFile(scans_.size());
+    parallelChunks(scans_.size(), 1, progress, [&](std::size_t i, std::size_t) {
+      for (RangeImage& image : imagesOf(scans_[i])) perFile[i].push_back(finished(i, std::move(image)));
+    });
     std::vector<ReadScan> read;
-    for (std::size_t i = 0; i < scans_.size(); ++i)
-      for (RangeImage& image : imagesOf(scans_[i])) read.push_back(finished(i, std::move(image)));
+    for (std::vector<ReadScan>& scans : perFile)
+      read.insert(read.end(), std::make_move_iterator(scans.begin()), std::make_move_iterator(scans.end()));
     return read;
   }
 
@@ -236,13 +243,14 @@ std::vector<ReadScan> readScans(const std::vector<std::string>& files, const std
                                 const Progress& progress) {
   if (profile != nullptr) requireNoFrame(options);
   std::vector<RawScan> raw;
+  const Progress reading = progress.part(0.0, 0.5);
   for (const std::string& file : files) {
     const auto done = static_cast<double>(raw.size());
     raw.push_back(readRaw(
         file, options,
-        progress.part(done / static_cast<double>(files.size()), (done + 1.0) / static_cast<double>(files.size()))));
+        reading.part(done / static_cast<double>(files.size()), (done + 1.0) / static_cast<double>(files.size()))));
   }
-  if (profile == nullptr) return Interpretation(std::move(raw), options).read(list);
+  if (profile == nullptr) return Interpretation(std::move(raw), options).read(list, progress.part(0.5, 1.0));
   std::vector<ReadScan> read;
   for (RawScan& scan : raw) {
     std::optional<Pose> pose;
