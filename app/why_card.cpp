@@ -35,6 +35,10 @@ QString roleText(PositionRole role) {
 QString planVerdict(const Explanation& why, bool planHolds) {
   switch (why.constraint) {
     case Constraint::Chosen:
+      if (why.tableAlone)
+        return Text::tr(
+            "It shows the most unseen surface. Nothing that is left overlaps the model enough to register with it: the "
+            "table alone will say where this scan belongs.");
       return planHolds ? Text::tr(
                              "Proposed: of all positions that overlap the model enough it shows the most unseen "
                              "surface.")
@@ -67,7 +71,8 @@ void addVoid(WhyCard& card, const Explanation& why) {
 
 void addRegistration(WhyCard& card, const Explanation& why) {
   card.figures.push_back({Text::tr("Overlap (o_s)"), areaText(why.overlapArea),
-                          Text::tr("more than t = %1 is needed").arg(areaText(why.leastOverlap))});
+                          why.tableAlone ? Text::tr("too little to register with")
+                                         : Text::tr("more than t = %1 is needed").arg(areaText(why.leastOverlap))});
   if (!why.poseSigma) return;
   const QString sigma =
       std::isfinite(*why.poseSigma) ? figureText(*why.poseSigma, 3) + Text::tr(" mm") : Text::tr("unbounded");

@@ -32,14 +32,12 @@ std::string scoreText(const PositionScore& s) {
 }
 
 nlohmann::ordered_json planJson(const Plan& plan, const PlanArguments& args) {
-  nlohmann::ordered_json json{{"outcome", name(plan.outcome)},
-                              {"position", plan.position.value_or(-1)},
-                              {"least_overlap_mm2", plan.leastOverlap},
-                              {"relaxations", plan.relaxations},
-                              {"termination_threshold_mm2", plan.terminationThreshold},
-                              {"void_left_mm2", plan.voidLeft},
-                              {"angular_error_deg", degrees(plan.angularError)},
-                              {"void_patches", voidJson(plan)}};
+  nlohmann::ordered_json json{
+      {"outcome", name(plan.outcome)},          {"position", plan.position.value_or(-1)},
+      {"least_overlap_mm2", plan.leastOverlap}, {"relaxations", plan.relaxations},
+      {"table_alone", plan.tableAlone},         {"termination_threshold_mm2", plan.terminationThreshold},
+      {"void_left_mm2", plan.voidLeft},         {"angular_error_deg", degrees(plan.angularError)},
+      {"void_patches", voidJson(plan)}};
   if (args.why) {
     json["scores"] = nlohmann::ordered_json::array();
     for (const PositionScore& s : plan.scores) json["scores"].push_back(scoreJson(s));
@@ -54,6 +52,7 @@ std::string planText(const Plan& plan, const PlanArguments& args) {
                          ? "next best view: position " + std::to_string(plan.position.value()) + "\n"
                          : std::string(name(plan.outcome)) + "\n";
   text += "t = " + number(plan.leastOverlap, 1) + " mm2, F = " + number(plan.terminationThreshold, 1) + " mm2\n";
+  if (plan.tableAlone) text += "nothing overlaps the model enough: the table alone will place the view\n";
   if (plan.voidLeft > 0.0)
     text += "views that are still possible would show " + number(plan.voidLeft, 1) + " mm2 in all\n";
   if (args.why)

@@ -71,6 +71,11 @@ std::vector<SettingField> planningFields() {
       number<&Settings::planner, &Planner::maxRelaxations>(
           Expert, "planner.max_relaxations", "Most relaxations", "", 0, 20, "3",
           "So often the least overlap is halved and the pose error doubled when no position satisfies them."),
+      number<&Settings::planner, &Planner::tableAloneShare>(Expert, "planner.table_alone_share", "By the table alone",
+                                                            "", 0, 1, "1",
+                                                            "When nothing overlaps enough, a view that promises more "
+                                                            "than this share of the model's area is taken, placed "
+                                                            "by the table alone and called doubtful; 1: never."),
       number<&Settings::planner, &Planner::poseSigmaShare>(
           Expert, "planner.pose_sigma_share", "Pose certainty", "samples", 0.001, 100, "0.2",
           "The overlap of a view must fix its pose to within this many sample spacings."),

@@ -7,6 +7,7 @@
 #include "integration/zipper.h"
 #include "registration/pose_prior.h"
 #include "registration/position_search.h"
+#include "registration/registration_scale.h"
 #include "registration/registration_target.h"
 
 namespace vantage {
@@ -55,6 +56,24 @@ std::vector<PoseTie> tiesOf(const std::vector<const KeptScan*>& scans, const Ste
   return ties;
 }
 
+// What later scans may settle: where nothing spoke against the pose, and the mechanics alone for it.
+bool waitsForMore(const RegistrationResult& registration) {
+  const VerdictReason reason = registration.finding.reason;
+  return registration.verdict == Verdict::Doubtful &&
+         (reason == VerdictReason::HeldByMechanics || reason == VerdictReason::TableAlone);
+}
+
+// The pose of a doubtful view that all others together hold as firmly as a good one is certain.
+void liftDoubt(KeptScan& scan, double poseSigma, const StepOptions& options) {
+  RegistrationResult& registration = scan.record.registration;
+  if (!waitsForMore(registration)) return;
+  const ViewSurface surface(*scan.view.mesh, *scan.view.image->rays);
+  if (poseSigma > *resolved(options.registration, scaleOf(surface)).limits.maxPoseSigma) return;
+  registration.verdict = Verdict::Good;
+  registration.finding = {VerdictReason::HeldByAll, std::nullopt, {}};
+  registration.poseSigma = poseSigma;
+}
+
 // Moves the views to where all of them and the mechanics agree best.
 void refine(AcquisitionState& state, const StepOptions& options, const Progress& progress) {
   const std::vector<View> views = viewsOf(state);
@@ -63,8 +82,11 @@ void refine(AcquisitionState& state, const StepOptions& options, const Progress&
   refinement.ties = tiesOf(scansOf(state, ScanStatus::In), options);
   const MultiViewResult refined = refineViews(views, refinement, progress);
   std::size_t i = 0;
-  for (KeptScan& scan : state.scans)
-    if (scan.status == ScanStatus::In) scan.view.T_object_scanner = refined.poses[i++];
+  for (KeptScan& scan : state.scans) {
+    if (scan.status != ScanStatus::In) continue;
+    scan.view.T_object_scanner = refined.poses[i];
+    liftDoubt(scan, refined.poseSigmas[i++], options);
+  }
 }
 
 void checkStation(const AcquisitionState& state, const KeptScan& scan) {
@@ -93,14 +115,38 @@ std::optional<int> otherPosition(const AcquisitionState& state, const KeptScan& 
   return static_cast<int>(*fits);
 }
 
+// Whether the plan sent the scan where it shows nothing of the model.
+bool plannedByTable(const AcquisitionState& state, const KeptScan& scan, const StepOptions& options) {
+  return state.plan && state.plan->tableAlone && options.mechanics && state.plan->position == scan.station().position &&
+         lastView(state, scan.station().stand) != nullptr;
+}
+
+// A scan that shows next to nothing of the model, as it was to be expected, and nothing against it, stays where the
+// table has it.
+void placeByTable(const KeptScan& scan, const StepOptions& options, RegistrationResult& found) {
+  if (found.finding.reason != VerdictReason::FewPairs) return;
+  if (found.conflictShare > options.registration.limits.maxConflicts) return;
+  found.T_object_scanner = scan.view.T_object_scanner;
+  found.verdict = Verdict::Doubtful;
+  found.finding = {VerdictReason::TableAlone, static_cast<double>(found.pairs), {}};
+}
+
+// A scan that does not fit its own position may not have been meant to, or fit another.
+void explainFailure(const AcquisitionState& state, KeptScan& scan, const StepOptions& options,
+                    const Progress& progress) {
+  RegistrationResult& found = scan.record.registration;
+  if (plannedByTable(state, scan, options)) return placeByTable(scan, options, found);
+  if (const auto other = otherPosition(state, scan, options, progress))
+    found.finding = {VerdictReason::OtherPosition, static_cast<double>(*other), {}};
+}
+
 // Registers a scan and moves all views to where they agree best. @return whether it found its place
 bool findPlace(AcquisitionState& state, KeptScan& scan, const StepOptions& options, const Progress& progress) {
   scan.view.T_object_scanner = expectedPose(state, *scan.view.image);
   scan.record.registration = registerWithModel(state, scan, options, progress.part(0.0, 0.6));
+  if (scan.record.registration.verdict == Verdict::Failed)
+    explainFailure(state, scan, options, progress.part(0.6, 0.7));
   const bool found = scan.record.registration.verdict != Verdict::Failed;
-  if (!found)
-    if (const auto other = otherPosition(state, scan, options, progress.part(0.6, 0.7)))
-      scan.record.registration.finding = {VerdictReason::OtherPosition, static_cast<double>(*other), {}};
   scan.status = found ? ScanStatus::In : ScanStatus::Rejected;
   if (found) scan.view.T_object_scanner = scan.record.registration.T_object_scanner;
   if (!found) scan.view.mesh = nullptr;

@@ -6,12 +6,13 @@ namespace vantage {
 namespace {
 
 // The first constraint that binds a position under the rules, or Outscored when none does.
-Constraint bind(PositionScore& score, const ChoiceOptions& options) {
+Constraint bind(PositionScore& score, const ChoiceOptions& options, bool tableAlone) {
   score.shortBy = 0.0;
   if (promise(score) <= options.terminationThreshold) {
     score.shortBy = options.terminationThreshold - promise(score);
     return Constraint::BelowThreshold;
   }
+  if (tableAlone && promise(score) > *options.tableAloneThreshold) return Constraint::Outscored;
   if (score.overlapArea <= options.leastOverlap) {
     score.shortBy = options.leastOverlap - score.overlapArea;
     return Constraint::OverlapShort;
@@ -45,12 +46,12 @@ Choice choose(std::vector<PositionScore>& scores, const Workspace& workspace, st
               const ChoiceOptions& options) {
   Choice choice;
   ChoiceOptions relaxed = options;
-  for (;; ++choice.relaxations, relaxed.leastOverlap /= 2.0, relaxed.maxPoseSigma *= 2.0) {
+  while (true) {
     choice.leastOverlap = relaxed.leastOverlap;
     PositionScore* best = nullptr;
     bool voidLeft = false;
     for (PositionScore& score : scores) {
-      score.constraint = bind(score, relaxed);
+      score.constraint = bind(score, relaxed, choice.tableAlone);
       voidLeft = voidLeft || score.constraint != Constraint::BelowThreshold;
       if (score.constraint != Constraint::Outscored) continue;
       if (best == nullptr || better(score, *best, workspace, current)) best = &score;
@@ -62,7 +63,17 @@ Choice choose(std::vector<PositionScore>& scores, const Workspace& workspace, st
       return choice;
     }
     choice.outcome = voidLeft ? PlanOutcome::NoOverlap : PlanOutcome::Finished;
-    if (!voidLeft || choice.relaxations >= options.maxRelaxations) return choice;
+    if (!voidLeft) return choice;
+    if (choice.relaxations < options.maxRelaxations) {
+      ++choice.relaxations;
+      relaxed.leastOverlap /= 2.0;
+      relaxed.maxPoseSigma *= 2.0;
+    } else if (options.tableAloneThreshold && !choice.tableAlone) {
+      choice.tableAlone = true;
+    } else {
+      choice.tableAlone = false;
+      return choice;
+    }
   }
 }
 

@@ -29,6 +29,9 @@ struct ChoiceOptions {
   double maxPoseSigma = 1.0;          ///< worst predicted pose error allowed [mm]
   /// How often t may be halved, and with it the pose error doubled, when no position satisfies them.
   int maxRelaxations = 3;
+  /// At last overlap and pose error bind no more for what promises more than this: the table places the view [mm^2].
+  /// Unset: never.
+  std::optional<double> tableAloneThreshold;
 };
 
 /// The decision over all positions.
@@ -37,6 +40,7 @@ struct Choice {
   std::optional<int> position;  ///< nothing unless Found
   double leastOverlap = 0.0;    ///< t as relaxed [mm^2]
   int relaxations = 0;
+  bool tableAlone = false;  ///< nothing overlaps enough: the table alone will place the view
 };
 
 /// What a position promises: its traced void area where there is one, otherwise that of positional space [mm^2].
@@ -46,8 +50,9 @@ struct Choice {
 
 /// The objective N(i) = o_v(i) if o_s(i) > t, else 0 (Pito 1999, 5.3), maximised over the positions. A tie goes to the
 /// least motion from `current` if that is known, then to the lower index. When void is left above F but every such
-/// position falls short of t or of a certain pose, both are relaxed up to `maxRelaxations` times and at last NoOverlap
-/// returned. Writes to every score which constraint bound and by how much it was missed.
+/// position falls short of t or of a certain pose, both are relaxed up to `maxRelaxations` times, then given up where
+/// the table may place a view alone, and otherwise NoOverlap returned. Writes to every score which constraint bound and
+/// by how much it was missed.
 [[nodiscard]] Choice choose(std::vector<PositionScore>& scores, const Workspace& workspace, std::optional<int> current,
                             const ChoiceOptions& options);
 

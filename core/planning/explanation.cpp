@@ -49,6 +49,7 @@ Explanation explain(const Plan& plan, int position) {
   why.promise = promise(score);
   why.overlapArea = score.overlapArea;
   why.leastOverlap = plan.leastOverlap;
+  why.tableAlone = plan.tableAlone;
   why.terminationThreshold = plan.terminationThreshold;
   why.poseSigma = score.poseSigma;
   why.weakMotions = score.weakMotions;

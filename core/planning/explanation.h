@@ -18,6 +18,7 @@ struct Explanation {
   double promise = 0.0;                  ///< the o_v that counts: traced if there is one [mm^2]
   double overlapArea = 0.0;              ///< o_s [mm^2]
   double leastOverlap = 0.0;             ///< t [mm^2]
+  bool tableAlone = false;               ///< nothing overlaps enough: the table alone will place the view
   double terminationThreshold = 0.0;     ///< F [mm^2]
   std::optional<double> poseSigma;       ///< predicted registration error along the weak direction [mm]
   WeakMotions weakMotions;               ///< what that direction is; empty when not predicted

@@ -53,6 +53,7 @@ struct Plan {
   /// What all views that are still possible together would show, known once none of them is worth taking [mm^2].
   double voidLeft = 0.0;
   int relaxations = 0;                       ///< how often t was halved to find a position
+  bool tableAlone = false;                   ///< nothing overlaps enough: the table alone will place the view
   double angularError = 0.0;                 ///< of positional space [rad]
   std::vector<PositionScore> scores;         ///< every position of the workspace, in order
   std::shared_ptr<const VoidSurface> voids;  ///< the void patches that it is about

@@ -25,6 +25,8 @@ ChoiceOptions rulesOf(const PlanningScene& scene) {
   rules.terminationThreshold = terminationThreshold(options.termination, spacing, modelArea);
   rules.maxPoseSigma = options.poseSigmaShare * spacing;
   rules.maxRelaxations = options.maxRelaxations;
+  if (options.tableAloneShare < 1.0)
+    rules.tableAloneThreshold = std::max(rules.terminationThreshold, options.tableAloneShare * modelArea);
   return rules;
 }
 
@@ -51,8 +53,8 @@ std::vector<std::size_t> untracedLeaders(const std::vector<PositionScore>& score
   std::vector<std::size_t> order;
   for (std::size_t i = 0; i < scores.size(); ++i) {
     const PositionScore& s = scores[i];
-    const bool open =
-        !s.tracedVoidArea && s.overlapArea > choice.leastOverlap && s.voidArea > rules.terminationThreshold;
+    const bool overlaps = choice.tableAlone || s.overlapArea > choice.leastOverlap;
+    const bool open = !s.tracedVoidArea && overlaps && s.voidArea > rules.terminationThreshold;
     if (open && (first || s.voidArea >= toBeat)) order.push_back(i);
   }
   std::stable_sort(order.begin(), order.end(),
@@ -92,6 +94,7 @@ void decide(Plan& plan, const PlanningScene& scene, const Mesh& overlapping, con
   plan.position = choice.position;
   plan.leastOverlap = choice.leastOverlap;
   plan.relaxations = choice.relaxations;
+  plan.tableAlone = choice.tableAlone;
   plan.terminationThreshold = rules.terminationThreshold;
 }
 

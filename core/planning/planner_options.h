@@ -21,6 +21,9 @@ struct PlannerOptions {
   int borderRings = 2;
   /// How often t may be halved, and with it the pose error doubled, when no position satisfies them.
   int maxRelaxations = 3;
+  /// When that does not help either, a view is proposed that the table alone places, if it promises more than this
+  /// share of the model's area: the far side of a plate. 1: never.
+  double tableAloneShare = 0.01;
 
   /// The overlap must fix the pose to within this share of the sample spacing.
   double poseSigmaShare = 0.2;

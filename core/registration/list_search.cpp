@@ -90,7 +90,8 @@ class Search {
       auto candidate = turned(turns, factor);
       if (candidate.first > best.first) best = std::move(candidate);
     };
-    for (double factor = -kMostFactor; factor <= kMostFactor; factor += step) consider(factor);
+    const auto steps = static_cast<int>(2.0 * kMostFactor / step);
+    for (int k = 0; k <= steps; ++k) consider(-kMostFactor + k * step);
     for (int round = 0; round < kRefinements; ++round) {
       step /= 3.0;
       const double middle = best.second.finding.value;

@@ -1,5 +1,7 @@
 #include "registration/multi_view.h"
 
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
 #include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <cmath>
@@ -20,6 +22,8 @@ constexpr double kPriorAngle = radians(3.0);
 constexpr double kCoarseTolerance = 0.02;
 // The error may rise so much when poses give in to the ties: the pairs' noise has been fitted before.
 constexpr double kMayRise = 1.02;
+// Sigma of a motion that no pairs hold [fine gates].
+constexpr double kLoose = 1000.0;
 
 // The sparse normal equations of all poses but the first, which stays.
 class NormalEquations {
@@ -53,6 +57,22 @@ class NormalEquations {
     if (!x.allFinite()) return motions;
     for (std::size_t i = 1; i < motions.size(); ++i) motions[i] = x.segment<6>(first(i));
     return motions;
+  }
+
+  // Covariances of the motions of all views but the first, rotations measured by what they do at a radius. What nothing
+  // holds has the sigma `loose` [mm].
+  [[nodiscard]] std::vector<Mat6> covariances(double radius, double loose) const {
+    Vec6 scale;
+    scale << Vec3::Constant(1.0 / radius), Vec3::Ones();
+    const Eigen::VectorXd scales = scale.replicate(unknowns_ / 6, 1);
+    Eigen::SparseMatrix<double> system(unknowns_, unknowns_);
+    system.setFromTriplets(entries_.begin(), entries_.end());
+    Eigen::MatrixXd information = scales.asDiagonal() * Eigen::MatrixXd(system) * scales.asDiagonal();
+    information.diagonal().array() += 1.0 / (loose * loose);
+    const Eigen::MatrixXd covariance = information.llt().solve(Eigen::MatrixXd::Identity(unknowns_, unknowns_));
+    std::vector<Mat6> blocks;
+    for (Eigen::Index k = 0; k < unknowns_; k += 6) blocks.push_back(covariance.block<6, 6>(k, k));
+    return blocks;
   }
 
  private:
@@ -108,8 +128,7 @@ class Refiner {
     for (const ViewLink& link : fine)
       result.pairs += static_cast<std::size_t>(std::count_if(
           link.pairs.begin(), link.pairs.end(), [](const Pair& p) { return p.state == PairState::Paired; }));
-    const double sigma = std::max(kLeastSigma, deviation(fine));
-    for (std::size_t i = 0; i < views_.size(); ++i) result.stability.push_back(stabilityOf(i, fine, sigma));
+    result.poseSigmas = sigmasOf(fine, progress);
     return result;
   }
 
@@ -170,12 +189,18 @@ class Refiner {
     findPairs(views_, poses_, gatesAt(*options_.finalGate), progress.part(1.0 - 1.0 / rounds, 1.0), links);
   }
 
-  // One Gauss-Newton step of all poses but the first; returns how far the farthest view moves [mm].
-  double step(const std::vector<ViewLink>& links, const PairNoise& noise, const Progress& progress) {
+  [[nodiscard]] std::vector<PairTerm> termsOf(const std::vector<ViewLink>& links, const PairNoise& noise,
+                                              const Progress& progress) const {
     std::vector<PairTerm> terms(links.size());
     parallelChunks(links.size(), 1, progress, [&](std::size_t l, std::size_t) {
       terms[l] = pairTerm(links[l].pairs, poses_[links[l].to], centre_, radius_, noise);
     });
+    return terms;
+  }
+
+  // One Gauss-Newton step of all poses but the first; returns how far the farthest view moves [mm].
+  double step(const std::vector<ViewLink>& links, const PairNoise& noise, const Progress& progress) {
+    const std::vector<PairTerm> terms = termsOf(links, noise, progress);
     NormalEquations equations(views_.size());
     for (std::size_t l = 0; l < links.size(); ++l) equations.addLink(links[l].from, links[l].to, terms[l]);
     for (std::size_t i = 1; i < views_.size(); ++i) {
@@ -200,11 +225,29 @@ class Refiner {
     return farthest;
   }
 
-  [[nodiscard]] Stability stabilityOf(std::size_t view, const std::vector<ViewLink>& links, double sigma) const {
-    PairStability stability;
-    for (const ViewLink& link : links)
-      if (link.from == view || link.to == view) stability.add(link.pairs, poses_[link.to]);
-    return stability.analyse(sigma);
+  [[nodiscard]] std::vector<double> sigmasOf(const std::vector<ViewLink>& links, const Progress& progress) const {
+    const double sigma = std::max(kLeastSigma, deviation(links));
+    const PairNoise noise = pairNoise(sigma, *options_.finalGate, *options_.finalGate);
+    NormalEquations equations(views_.size());
+    const std::vector<PairTerm> terms = termsOf(links, noise, progress);
+    for (std::size_t l = 0; l < links.size(); ++l) equations.addLink(links[l].from, links[l].to, terms[l]);
+    std::vector<double> sigmas{0.0};
+    for (const Mat6& covariance : equations.covariances(radius_, kLoose * *options_.finalGate)) {
+      const Eigen::SelfAdjointEigenSolver<Mat6> solver(covariance);
+      Vec6 weakest = solver.eigenvectors().col(5);
+      weakest.head<3>() /= radius_;
+      const auto view = sigmas.size();
+      sigmas.push_back(farthestMotion(view, weakest) * std::sqrt(std::max(0.0, solver.eigenvalues()[5])));
+    }
+    return sigmas;
+  }
+
+  // How far a motion about the centre of all views moves the points of one at most [mm].
+  [[nodiscard]] double farthestMotion(std::size_t view, const Vec6& motion) const {
+    double farthest = views_[view].points.points.empty() ? 1.0 : 0.0;
+    for (const Vec3& p : views_[view].points.points)
+      farthest = std::max(farthest, (motion.head<3>().cross(poses_[view] * p - centre_) + motion.tail<3>()).norm());
+    return farthest;
   }
 
   std::vector<PreparedView> views_;
@@ -232,7 +275,7 @@ MultiViewResult refineViews(std::span<const View> views, const MultiViewOptions&
     MultiViewResult result;
     for (const View& view : views) {
       result.poses.push_back(view.T_object_scanner);
-      result.stability.push_back(analyseStability({}, {}, {}, {}));
+      result.poseSigmas.push_back(0.0);
     }
     return result;
   }

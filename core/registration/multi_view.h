@@ -44,8 +44,10 @@ struct MultiViewResult {
   double rmsAfter = 0.0;    ///< larger only where ties outweigh it, and by less than 2 %
   std::size_t pairs = 0;    ///< of points, in the last round
   int iterations = 0;
-  bool improved = false;             ///< false: the poses are the given ones
-  std::vector<Stability> stability;  ///< per view, of its pairs with all others
+  bool improved = false;  ///< false: the poses are the given ones
+  /// Per view, how far off its points may be against the first view by what all pairs of all views say, without priors
+  /// and ties: one sigma of the weakest motion [mm]. 0 for the first, 1000 fine gates and more where nothing holds.
+  std::vector<double> poseSigmas;
 };
 
 /// Refines the poses of all views at once: minimises the symmetric point-to-plane distances of all overlapping pairs of

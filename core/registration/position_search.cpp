@@ -68,7 +68,9 @@ std::optional<std::size_t> poseThatFits(const ViewSurface& surface, std::span<co
   best.resize(std::min(best.size(), kRegistered));
   for (const std::size_t i : best) {
     const RegistrationResult result = registerView(surface, candidates[i], model, options, progress.part(0.5, 1.0));
-    if (result.verdict == Verdict::Good) return nearest(candidates, result.T_object_scanner, centreOf(surface));
+    const bool little = result.verdict == Verdict::Doubtful && result.finding.reason == VerdictReason::FewPairs;
+    if (result.verdict == Verdict::Good || little)
+      return nearest(candidates, result.T_object_scanner, centreOf(surface));
   }
   return std::nullopt;
 }

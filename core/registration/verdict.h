@@ -68,10 +68,12 @@ enum class VerdictReason : std::uint8_t {
   OtherUnit,          ///< it fits where positions of the list are in another unit [mm per unit]
   OtherFrame,         ///< it fits where two axes of the scanner point the other way [1 x, 2 y, 3 z: the one that stays]
   AxisBeside,         ///< it fits where the axis lies beside the list's [mm]
+  TableAlone,         ///< it shows next to nothing of the model: it is where the table has it [points that overlap]
+  HeldByAll,          ///< too little of the model held it, all scans together do
 };
-inline constexpr VerdictReason kLastVerdictReason = VerdictReason::AxisBeside;
+inline constexpr VerdictReason kLastVerdictReason = VerdictReason::HeldByAll;
 
-/// "not_registered", "first_view", ..., "axis_beside".
+/// "not_registered", "first_view", ..., "held_by_all".
 [[nodiscard]] std::string_view name(VerdictReason reason);
 
 /// The gravest thing that was found about a registration.

@@ -169,7 +169,9 @@ std::string objectiveFigure(const Plan& plan, const std::string& when) {
   for (const PositionScore& score : plan.scores) chart.values.push_back(promise(score));
   return "<figure>" + drawChart(chart) + "<figcaption>" + escapedHtml(chart.title) +
          (plan.position ? "; proposed: position " + std::to_string(*plan.position) : "; nothing proposed") +
-         "; least overlap t = " + figure(plan.leastOverlap, 0) + " mm²</figcaption></figure>\n";
+         (plan.tableAlone ? "; nothing overlaps enough, the table alone places it"
+                          : "; least overlap t = " + figure(plan.leastOverlap, 0) + " mm²") +
+         "</figcaption></figure>\n";
 }
 
 std::string objectiveHtml(const AcquisitionState& state) {

@@ -74,6 +74,7 @@ Json viewJson(const KeptScan& scan, std::size_t index) {
     json["plan"] = {{"least_overlap_mm2", record.planAfter->leastOverlap},
                     {"termination_threshold_mm2", record.planAfter->terminationThreshold},
                     {"relaxations", record.planAfter->relaxations},
+                    {"table_alone", record.planAfter->tableAlone},
                     {"angular_error_deg", degrees(record.planAfter->angularError)}};
   }
   json["seconds"] = secondsJson(record.seconds);

@@ -127,6 +127,10 @@ Phrase phraseOf(const Finding& finding) {
                    {asIs(std::string(1, "xyz"[std::clamp(static_cast<int>(value), 1, 3) - 1]))});
     case VerdictReason::AxisBeside:
       return words("it fits if the axis is %1 mm beside where the list has it", {figure(value, 1)});
+    case VerdictReason::TableAlone:
+      return words("only %1 points overlap with the model: the table alone says where it belongs", {figure(value)});
+    case VerdictReason::HeldByAll:
+      return words("all scans together hold it");
   }
   return words("");
 }

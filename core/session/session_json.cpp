@@ -147,6 +147,7 @@ std::string planText(const Plan& plan) {
             {"termination_threshold_mm2", jsonNumber(plan.terminationThreshold)},
             {"void_left_mm2", jsonNumber(plan.voidLeft)},
             {"relaxations", plan.relaxations},
+            {"table_alone", plan.tableAlone},
             {"angular_error_rad", jsonNumber(plan.angularError)},
             {"scores", Json::array()}};
   for (const PositionScore& score : plan.scores) json["scores"].push_back(storedScoreJson(score));
@@ -162,6 +163,7 @@ Plan planFromText(const std::string& text, const std::string& what) {
   plan.terminationThreshold = fields.number("termination_threshold_mm2");
   plan.voidLeft = fields.number("void_left_mm2");
   plan.relaxations = fields.integer("relaxations");
+  plan.tableAlone = fields.has("table_alone") && fields.flag("table_alone");
   plan.angularError = fields.number("angular_error_rad");
   for (const Json& score : fields.list("scores")) {
     plan.scores.push_back(scoreFrom({score, what}));

@@ -219,15 +219,16 @@ std::shared_ptr<const Model> SessionStates::replayedModel(const AcquisitionState
   return integrateViews(views, stepOptionsFor(state), {});
 }
 
-// Says which steps made the record of a scan and the plan after it. A record is written once; only that of a scan that
-// waited changes.
+// Says which steps made the record of a scan and the plan after it. A record is written again where a scan that waited
+// was placed, and where later scans have settled a verdict.
 void SessionStates::findSteps(OutlinedScan& scan, bool planned, const StateOutline& before, std::int64_t step) {
   const auto old = std::find_if(before.scans.begin(), before.scans.end(),
                                 [&](const OutlinedScan& o) { return o.scan == scan.scan; });
   const bool known =
       old != before.scans.end() && (old->status != ScanStatus::Waiting || scan.status == ScanStatus::Waiting);
-  if (known) scan.record = old->record;
-  scan.recordStep = known ? old->recordStep : step;
+  const bool unchanged = known && old->record->registration.verdict == scan.record->registration.verdict;
+  if (unchanged) scan.record = old->record;
+  scan.recordStep = unchanged ? old->recordStep : step;
   scan.planStep = !planned ? 0 : known ? old->planStep : step;
 }
 

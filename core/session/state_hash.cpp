@@ -38,6 +38,7 @@ void addPlan(ContentHash& hash, const Plan& plan) {
   hash.add(plan.terminationThreshold);
   hash.add(plan.voidLeft);
   hash.add(plan.relaxations);
+  if (plan.tableAlone) hash.add(plan.tableAlone);
   hash.add(plan.angularError);
   for (const PositionScore& score : plan.scores) addScore(hash, score);
 }

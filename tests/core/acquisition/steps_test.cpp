@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <vector>
+
+#include "geometry/measures.h"
+#include "support/meshes.h"
 #include "support/scenes/small_scene.h"
 
 namespace vantage {
@@ -32,6 +36,74 @@ TEST(AddScan, KnowsThatTheTableMovedForEveryScanInBetween) {
   ASSERT_EQ(countScans(state, ScanStatus::In), 2U);
   const Pose truth = state.profile->workspace.poses[2];
   EXPECT_LT((state.scans[1].view.T_object_scanner.translation() - truth.translation()).norm(), 0.3);
+}
+
+// A plan that sends the table to a position where nothing overlaps.
+std::shared_ptr<const Plan> planTo(int position) {
+  Plan plan;
+  plan.outcome = PlanOutcome::Found;
+  plan.position = position;
+  plan.tableAlone = true;
+  return std::make_shared<const Plan>(std::move(plan));
+}
+
+// What becomes of exact scans of these positions.
+AcquisitionState scanned(const Mesh& object, const std::vector<int>& positions, bool byTable = false) {
+  AcquisitionState state;
+  state.profile = testing::smallProfile();
+  const Rig rig = testing::simulation(object, state.profile, {1, true});
+  for (const int position : positions) {
+    if (byTable) state.plan = planTo(position);
+    const auto image = std::make_shared<RangeImage>(scanFrom(rig, position, Progress()));
+    state =
+        addScan(state, {static_cast<std::int64_t>(state.scans.size()), image}, std::nullopt, stepOptionsFor(state), {});
+  }
+  return state;
+}
+
+const RegistrationResult& registrationOf(const AcquisitionState& state, std::size_t scan) {
+  return state.scans[scan].record.registration;
+}
+
+// Upright, its broad sides towards positions 0 and 12.
+Mesh makePlate() {
+  return testing::makeBox({-0.75, -30.0, 20.0}, {0.75, 30.0, 100.0});
+}
+
+TEST(AddScan, TheFarSideOfAPlateIsWhereTheTableHasIt) {
+  const AcquisitionState state = scanned(makePlate(), {0, 12}, true);
+  ASSERT_EQ(countScans(state, ScanStatus::In), 2U);
+  EXPECT_EQ(registrationOf(state, 1).verdict, Verdict::Doubtful);
+  EXPECT_EQ(registrationOf(state, 1).finding.reason, VerdictReason::TableAlone);
+  // Both sheets are whole: neither is taken for the other.
+  EXPECT_GT(area(state.model->mesh), 1.9 * state.scans[0].record.newArea);
+  const Pose& nominal = state.profile->workspace.poses[12];
+  EXPECT_LT((state.scans[1].view.T_object_scanner.translation() - nominal.translation()).norm(), 1e-6);
+}
+
+TEST(AddScan, WhatNobodySentTheTableForHasToOverlap) {
+  const AcquisitionState state = scanned(makePlate(), {0, 12});
+  EXPECT_EQ(state.scans[1].status, ScanStatus::Rejected);
+  EXPECT_EQ(registrationOf(state, 1).finding.reason, VerdictReason::FewPairs);
+}
+
+TEST(AddScan, LaterScansLiftADoubt) {
+  const AcquisitionState before = scanned(testing::smallObject(), {0, 10}, true);
+  ASSERT_EQ(registrationOf(before, 1).finding.reason, VerdictReason::TableAlone);
+  const AcquisitionState after = scanned(testing::smallObject(), {0, 10, 5, 3, 7}, true);
+  EXPECT_EQ(registrationOf(after, 1).verdict, Verdict::Good);
+  EXPECT_EQ(registrationOf(after, 1).finding.reason, VerdictReason::HeldByAll);
+}
+
+TEST(AddScan, NamesThePositionThatAScanFits) {
+  AcquisitionState state = scanned(testing::smallObject(), {0, 2, 4});
+  const Rig rig = testing::simulation(testing::smallObject(), state.profile, {1, true});
+  RangeImage image = scanFrom(rig, 6, Progress());
+  image.station.position = 14;
+  image.T_table_scanner = state.profile->workspace.poses[14];
+  state = addScan(state, {3, std::make_shared<RangeImage>(std::move(image))}, std::nullopt, stepOptionsFor(state), {});
+  EXPECT_EQ(state.scans[3].status, ScanStatus::Rejected);
+  EXPECT_EQ(registrationOf(state, 3).finding, (Finding{VerdictReason::OtherPosition, 6.0, {}}));
 }
 
 }  // namespace

@@ -77,6 +77,31 @@ TEST(Choice, SaysNoOverlapWhenVoidIsLeftThatNothingReachesWithOverlap) {
   EXPECT_EQ(scores[0].constraint, Constraint::OverlapShort);
 }
 
+TEST(Choice, WhatNothingElseReachesTheTablePlaces) {
+  ChoiceOptions options = kOptions;
+  options.tableAloneThreshold = 30.0;
+  std::vector<PositionScore> scores{score(0, 50, 0), score(1, 90, 2), score(2, 20, 4)};
+  const Choice choice = choose(scores, turntable(3), 0, options);
+  EXPECT_EQ(choice.outcome, PlanOutcome::Found);
+  EXPECT_EQ(choice.position, 1);
+  EXPECT_TRUE(choice.tableAlone);
+  EXPECT_EQ(scores[0].constraint, Constraint::Outscored);
+  EXPECT_EQ(scores[2].constraint, Constraint::OverlapShort);
+}
+
+TEST(Choice, TheTablePlacesNothingThatOverlapReachesOrThatIsHardlyWorthIt) {
+  ChoiceOptions options = kOptions;
+  options.tableAloneThreshold = 30.0;
+  std::vector<PositionScore> reached{score(0, 50, 0), score(1, 20, 15)};
+  const Choice overlaps = choose(reached, turntable(2), 0, options);
+  EXPECT_EQ(overlaps.position, 1);
+  EXPECT_FALSE(overlaps.tableAlone);
+  std::vector<PositionScore> little{score(0, 29, 0), score(1, 20, 2)};
+  const Choice none = choose(little, turntable(2), 0, options);
+  EXPECT_EQ(none.outcome, PlanOutcome::NoOverlap);
+  EXPECT_FALSE(none.tableAlone);
+}
+
 TEST(Choice, RefusesPositionsWhoseOverlapWouldNotFixThePose) {
   std::vector<PositionScore> scores{score(0, 50, 500), score(1, 90, 500)};
   scores[1].poseSigma = 1.5;

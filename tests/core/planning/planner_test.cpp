@@ -83,10 +83,23 @@ TEST(Planner, FindsNoOverlapWhereNoneIsEnoughHoweverRelaxed) {
   PlannerOptions options;
   options.leastOverlap = 1e9;
   options.maxRelaxations = 2;
+  options.tableAloneShare = 1.0;
   const Plan plan = planOf(object().input(), options);
   EXPECT_EQ(plan.outcome, PlanOutcome::NoOverlap);
   EXPECT_EQ(plan.position, std::nullopt);
   EXPECT_EQ(plan.relaxations, 2);
+}
+
+TEST(Planner, SendsTheTableWhereNothingOverlapsEnough) {
+  PlannerOptions options;
+  options.leastOverlap = 1e9;
+  const Plan plan = planOf(object().input(), options);
+  ASSERT_EQ(plan.outcome, PlanOutcome::Found);
+  EXPECT_TRUE(plan.tableAlone);
+  const auto most = std::max_element(plan.scores.begin(), plan.scores.end(),
+                                     [](const auto& a, const auto& b) { return promise(a) < promise(b); });
+  EXPECT_EQ(plan.position, most->position);
+  EXPECT_FALSE(planOf(object().input(), {}).tableAlone);
 }
 
 TEST(Planner, GivesTheSameForAnyNumberOfThreads) {

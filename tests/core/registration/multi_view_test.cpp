@@ -72,7 +72,9 @@ TEST(MultiView, SpreadsTheErrorOfALoop) {
   EXPECT_LT(ring.error(result.poses), 0.12);  // neighbours' noise adds up to half way round
   EXPECT_LT(result.rmsAfter, result.rmsBefore);
   EXPECT_NEAR(result.rmsAfter, 0.1 * std::sqrt(2.0), 0.06);
-  EXPECT_EQ(result.stability.size(), ring.views.size());
+  ASSERT_EQ(result.poseSigmas.size(), ring.views.size());
+  EXPECT_EQ(result.poseSigmas[0], 0.0);
+  for (std::size_t i = 1; i < ring.views.size(); ++i) EXPECT_LT(result.poseSigmas[i], 0.1) << i;
 }
 
 TEST(MultiView, KeepsTheFirstPoseToTheLastBit) {
@@ -100,6 +102,21 @@ TEST(MultiView, LeavesAViewWithoutOverlapWhereItIs) {
   const MultiViewResult result = refineViews(views, {});
   EXPECT_TRUE(result.poses[1].matrix() == views[1].T_object_scanner.matrix());
   EXPECT_EQ(result.pairs, 0U);
+  EXPECT_GT(result.poseSigmas[1], 100.0);
+}
+
+TEST(MultiView, AViewIsAsSureAsTheWayToTheFirstOne) {
+  const auto profile = makeProfile(0.1, 90, 90);
+  std::vector<View> views;
+  for (const int position : {0, 8, 16, 45, 53})
+    views.push_back(scanFrom(makeBall(), profile, position, static_cast<unsigned>(position) + 1));
+  const MultiViewResult result = refineViews(views, {});
+  EXPECT_LT(result.poseSigmas[1], 0.2);
+  EXPECT_LT(result.poseSigmas[2], 0.3);
+  EXPECT_GT(result.poseSigmas[2], result.poseSigmas[1]);
+  // These hold each other, and nothing holds both.
+  EXPECT_GT(result.poseSigmas[3], 100.0);
+  EXPECT_GT(result.poseSigmas[4], 100.0);
 }
 
 TEST(MultiView, DoesNotTurnWhatNothingHolds) {

@@ -98,6 +98,38 @@ TEST_F(SessionTest, ReadsNothingThatNobodyHolds) {
   EXPECT_EQ(early->scans[0].view.mesh, late->scans[0].view.mesh);
 }
 
+TEST_F(SessionTest, BringsBackADoubtAndThatLaterScansLiftedIt) {
+  AcquisitionSettings settings;
+  settings.maxViews = 20;
+  // Every view is sent where it shows the most, whether or not it overlaps.
+  settings.planner.leastOverlap = 1e9;
+  settings.planner.maxRelaxations = 0;
+  {
+    Session session = createSmallSession(path(), settings);
+    Acquisition acquisition(session, testing::smallTools(session.profile(), settings));
+    acquisition.runUntilTheEnd();
+    for (const int between : {2, 3, 4}) {
+      acquisition.carryOut(ChoosePosition{between});
+      acquisition.scanNext();
+    }
+  }
+  const Session session = reopened();
+  EXPECT_TRUE(session.losses().empty());
+  int doubts = 0;
+  int lifted = 0;
+  for (std::size_t i = 0; i < session.history().size(); ++i) {
+    const auto state = session.state(i);
+    EXPECT_EQ(stateHash(*state), session.history().entry(i).hash) << i;
+    for (const KeptScan& scan : state->scans) {
+      const VerdictReason reason = scan.record.registration.finding.reason;
+      doubts += reason == VerdictReason::TableAlone ? 1 : 0;
+      lifted += reason == VerdictReason::HeldByAll ? 1 : 0;
+    }
+  }
+  EXPECT_GT(doubts, 0);
+  EXPECT_GT(lifted, 0);
+}
+
 TEST_F(SessionTest, UndoAndRedoSurviveReopening) {
   static_cast<void>(saveTwoViews());
   std::uint64_t before = 0;
