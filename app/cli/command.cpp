@@ -5,6 +5,7 @@
 #include <thread>
 #include <utility>
 
+#include "base/plain_text.h"
 #include "report/wording.h"
 
 namespace vantage {
@@ -34,7 +35,8 @@ Progress CommandContext::progress() {
 
 void CommandContext::result(const nlohmann::ordered_json& json, const std::string& text) {
   bar_.clear();
-  const std::string out = json_ ? json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n" : text;
+  const std::string out =
+      json_ ? json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n" : plainLines(text);
   std::fputs(out.c_str(), stdout);
   std::fflush(stdout);
 }
@@ -54,7 +56,7 @@ void CommandContext::result(nlohmann::ordered_json json, const std::string& text
 
 void CommandContext::note(const std::string& line) {
   bar_.clear();
-  std::fprintf(stderr, "%s\n", line.c_str());
+  std::fprintf(stderr, "%s\n", plainLines(line).c_str());
 }
 
 }  // namespace vantage

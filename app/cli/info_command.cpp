@@ -1,5 +1,6 @@
 #include <memory>
 
+#include "base/plain_text.h"
 #include "cli/command.h"
 #include "cli/open_session.h"
 #include "io/file_info.h"
@@ -35,10 +36,10 @@ void run(const std::string& path, CommandContext& context) {
   FileInfo info = describeFile(path, context.progress());
   if (info.content == FileContent::Session) addSessionFacts(path, context, info);
   nlohmann::ordered_json json{{"file", path}, {"kind", nameOf(info.content)}};
-  std::string text = path + ": " + nameOf(info.content) + "\n";
+  std::string text = plainText(path) + ": " + nameOf(info.content) + "\n";
   for (const auto& [key, value] : info.facts) {
     json[key] = jsonOf(value);
-    text += "  " + key + ": " + toText(value) + "\n";
+    text += "  " + key + ": " + plainText(toText(value)) + "\n";
   }
   context.result(json, text);
 }

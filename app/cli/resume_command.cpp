@@ -36,6 +36,11 @@ void run(const ResumeArguments& args, CommandContext& context) {
     throw InvalidInput("--out is for acquisitions: an import writes into its session, export writes the model");
   if (!args.given.empty()) changeSettings(session, args.given.appliedToSession(session.state()->settings), context);
   if (import) return finishImport(session, *import, context);
+  if (!session.profile())
+    throw InvalidInput(
+        args.session +
+        ": has no scanner profile, so nothing can be scanned: it is of recorded scans, or the profile was "
+        "lost");
   const auto object = std::make_shared<const Mesh>(session.object(context.progress()));
   const std::string beside = std::filesystem::absolute(args.session).parent_path().string();
   const std::string out = args.out.empty() ? beside : args.out;

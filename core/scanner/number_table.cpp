@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <filesystem>
 #include <optional>
 
 #include "base/errors.h"
@@ -47,6 +48,11 @@ std::size_t appendNumbers(std::string_view line, std::size_t most, std::vector<d
   return count;
 }
 
+// What a profile names outside of its folder may be any file: messages say nothing of what is in it.
+bool mayBeQuoted(const std::filesystem::path& file) {
+  return file.is_relative() && std::find(file.begin(), file.end(), "..") == file.end();
+}
+
 bool hasNumber(std::string_view line) {
   while (!line.empty())
     if (parseNumber(takePiece(line, kDividers))) return true;
@@ -70,7 +76,9 @@ NumberTable parseNumberTable(std::string_view text, const std::string& file, std
     const std::string where = file + ": line " + std::to_string(number) + " has ";
     std::string_view notANumber;
     const std::size_t count = appendNumbers(line, maxColumns, table.values, notANumber);
-    if (!notANumber.empty()) throw InvalidInput(where + shownText(notANumber) + ", expected a finite number");
+    if (!notANumber.empty())
+      throw InvalidInput(where + (mayBeQuoted(file) ? shownText(notANumber) : "a field that is none") +
+                         ", expected a finite number");
     if (count > maxColumns)
       throw InvalidInput(where + "more than " + std::to_string(maxColumns) + " numbers, expected no more");
     if (table.columns == 0) table.columns = count;

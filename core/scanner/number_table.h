@@ -19,7 +19,8 @@ struct NumberTable {
 
 /// Reads lines of numbers divided by commas, semicolons or blanks. Blank lines, lines that begin with # and a first
 /// line without a single number (a header) are skipped.
-/// @param file named in messages.
+/// @param file named in messages, as the profile names it: what is in one outside of the profile's folder is not
+/// quoted.
 /// @throws InvalidInput that names file and line when a field is no finite number, when lines differ in length, or for
 /// more rows or columns than the limits.
 [[nodiscard]] NumberTable parseNumberTable(std::string_view text, const std::string& file, std::size_t maxRows,

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/errors.h"
+#include "base/plain_text.h"
 #include "scanner/number_table.h"
 #include "scanner/profile_reader.h"
 #include "scanner/profile_workspace.h"
@@ -180,7 +181,7 @@ ScannerProfile parseProfile(const ProfileSource& source) {
   const nlohmann::json document = parseJson(source.text, source.path);
   JsonObjectReader reader(document, source.path, "");
   ScannerProfile profile;
-  profile.name = reader.string("name");
+  profile.name = plainText(reader.string("name"));
   readScanner(reader.object("scanner"), source, profile);
   profile.workspace = readWorkspace(reader.object("workspace"), source);
   if (reader.has("viewing_volume")) {

@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <set>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "base/errors.h"
 
@@ -58,13 +61,19 @@ std::string shownText(std::string_view text) {
 }
 
 nlohmann::json parseJson(const std::string& text, const std::string& file) {
-  const auto limitDepth = [&](int depth, nlohmann::json::parse_event_t /*event*/, nlohmann::json& /*parsed*/) {
+  using Event = nlohmann::json::parse_event_t;
+  std::vector<std::set<std::string>> keys;  // of the objects that are open
+  const auto check = [&](int depth, Event event, const nlohmann::json& parsed) {
     if (depth > kMaxDepth)
       throw InvalidInput(file + ": is nested deeper than the " + std::to_string(kMaxDepth) + " levels of a profile");
+    if (event == Event::object_start) keys.emplace_back();
+    if (event == Event::object_end) keys.pop_back();
+    if (event == Event::key && !keys.back().insert(parsed.get<std::string>()).second)
+      throw InvalidInput(file + ": has " + shown(parsed) + " twice in one object, expected every name once");
     return true;
   };
   try {
-    return nlohmann::json::parse(text, limitDepth);
+    return nlohmann::json::parse(text, check);
   } catch (const nlohmann::json::exception& e) {
     std::string what = e.what();
     if (const auto at = what.find("] "); at != std::string::npos) what = what.substr(at + 2);

@@ -1,6 +1,7 @@
 #include "session/session_opening.h"
 
 #include <filesystem>
+#include <utility>
 
 #include "base/errors.h"
 #include "session/session_migration.h"
@@ -28,9 +29,26 @@ std::size_t countDamages(SessionStore& store) {
   return damages;
 }
 
-bool copiedBefore(SessionStore& store, std::size_t damages) {
-  const std::string copy = store.meta(kCopy);
-  return !copy.empty() && std::filesystem::exists(copy) && store.meta(kDamages) == std::to_string(damages);
+// Whether the file that is said to be a copy is one: beside the session, a session itself, and as damaged. Whatever
+// path the session names, no other folder is looked into.
+bool copiedBefore(SessionStore& store, const std::string& path, std::size_t damages) {
+  namespace fs = std::filesystem;
+  const fs::path name = fs::path(store.meta(kCopy)).filename();
+  if (name.empty() || store.meta(kDamages) != std::to_string(damages)) return false;
+  const fs::path copy = fs::absolute(path).parent_path() / name;
+  std::error_code error;
+  if (!fs::is_regular_file(copy, error) || fs::equivalent(copy, path, error)) return false;
+  try {
+    Database database(copy.string(), Database::Mode::Read);
+    if (checkSessionTables(database) != kSessionSchema) {
+      database = database.copyInMemory();
+      migrateSession(database);
+    }
+    SessionStore copied(std::move(database));
+    return countDamages(copied) == damages;
+  } catch (const Error&) {
+    return false;
+  }
 }
 
 // What a session needs before it is written to.
@@ -53,7 +71,7 @@ Preparation prepareForWriting(const std::string& path, std::vector<Loss>& losses
     }
     SessionStore store(std::move(database));
     if (sound) preparation.damages = countDamages(store);
-    if (sound && (preparation.damages == 0 || copiedBefore(store, preparation.damages))) return {};
+    if (sound && (preparation.damages == 0 || copiedBefore(store, path, preparation.damages))) return {};
   }
   preparation.copy = copyBeside(path);
   losses.push_back({LossKind::Copied, {}, preparation.copy, {}});

@@ -1,7 +1,9 @@
 #include "session/session_schema.h"
 
-#include <map>
+#include <algorithm>
+#include <array>
 #include <span>
+#include <vector>
 
 #include "base/errors.h"
 
@@ -82,12 +84,15 @@ std::string statementFor(const Table& table) {
   return std::string("CREATE TABLE ") + table.name + table.columns;
 }
 
-// The statements that made everything in the database, by name.
-std::map<std::string, std::string> schemaOf(Database& database) {
-  std::map<std::string, std::string> schema;
+// What a database is made of: type, name and statement of everything in it, in order.
+using Schema = std::vector<std::array<std::string, 3>>;
+
+Schema schemaOf(Database& database) {
+  Schema schema;
   Statement rows =
-      database.prepare("SELECT name, ifnull(sql, '') FROM sqlite_master WHERE type <> 'index' OR sql NOT NULL");
-  while (rows.step()) schema[rows.text(0)] = rows.text(1);
+      database.prepare("SELECT type, name, ifnull(sql, '') FROM sqlite_master WHERE type <> 'index' OR sql NOT NULL");
+  while (rows.step()) schema.push_back({rows.text(0), rows.text(1), rows.text(2)});
+  std::sort(schema.begin(), schema.end());
   return schema;
 }
 
@@ -97,9 +102,10 @@ std::span<const Table> tablesOf(int version) {
   return kTables3;
 }
 
-std::map<std::string, std::string> schemaOf(std::span<const Table> tables) {
-  std::map<std::string, std::string> schema;
-  for (const Table& table : tables) schema[table.name] = statementFor(table);
+Schema schemaOf(std::span<const Table> tables) {
+  Schema schema;
+  for (const Table& table : tables) schema.push_back({"table", table.name, statementFor(table)});
+  std::sort(schema.begin(), schema.end());
   return schema;
 }
 
@@ -127,11 +133,11 @@ void createSessionTables(Database& database, int version) {
 }
 
 int checkSessionTables(Database& database) {
-  const std::map<std::string, std::string> schema = schemaOf(database);
+  const Schema schema = schemaOf(database);
   for (int version = kSessionSchema; version >= 1; --version)
     if (schema == schemaOf(tablesOf(version))) return version;
-  const auto meta = schema.find("meta");
-  const bool ours = meta != schema.end() && meta->second == statementFor(kMeta);
+  const bool ours =
+      std::find(schema.begin(), schema.end(), Schema::value_type{"table", "meta", statementFor(kMeta)}) != schema.end();
   const std::string version = ours ? versionIn(database) : std::string();
   if (!version.empty() && (version.size() > 1 || version < "1" || version > std::to_string(kSessionSchema)))
     throw InvalidInput(database.path() + ": has the session schema " + version + ", expected 1 to " +

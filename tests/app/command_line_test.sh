@@ -77,6 +77,8 @@ expect 1 "is no session" "$cli" import "$work/scan.ply" --unit mm --session "$wo
 [[ $(sum "$work/run/session.vantage") == "$before" ]] || { echo "FAIL: a session was changed"; failures=$((failures + 1)); }
 expect 1 "empty.ply" "$cli" import "$work/empty.ply" --session "$work/run/session.vantage" --replace
 [[ $(sum "$work/run/session.vantage") == "$before" ]] || { echo "FAIL: a failing import replaced a session"; failures=$((failures + 1)); }
+expect 0 "written" "$cli" import "$work/scan.ply" --unit mm --session "$work/recorded.vantage"
+expect 1 "has no scanner profile" "$cli" resume "$work/recorded.vantage"
 mkdir "$work/models"
 cp "$mug" "$work/models/model.ply"
 expect 1 "model.ply: is there already" "$cli" acquire --object "$work/models/model.ply" --scanner "$scanner" --out "$work/models"

@@ -48,6 +48,17 @@ TEST(NumberTable, ErrorsNameFileLineAndField) {
   EXPECT_EQ(messageFor("1\n2\n3\n", 2), "table.csv: line 3 has row 3, expected no more than 2");
 }
 
+TEST(NumberTable, WhatIsInAFileOutsideOfTheProfilesFolderIsNotQuoted) {
+  for (const char* file : {"/etc/passwd", "../passwd", "a/../../passwd"}) {
+    try {
+      static_cast<void>(parseNumberTable("1,2\n3,secret", file, 10, 4));
+      FAIL();
+    } catch (const InvalidInput& e) {
+      EXPECT_EQ(e.what(), std::string(file) + ": line 2 has a field that is none, expected a finite number");
+    }
+  }
+}
+
 TEST(NumberTable, ASecondHeaderIsAnError) {
   EXPECT_EQ(messageFor("a,b\nc,d\n"), "table.csv: line 2 has \"c\", expected a finite number");
 }

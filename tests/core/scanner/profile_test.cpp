@@ -299,6 +299,24 @@ TEST(Profile, TextThatIsNoJsonSaysWhere) {
   EXPECT_THROW(static_cast<void>(parseProfile({"test.json", "{\"name\": 1e999}", {}})), InvalidInput);
 }
 
+TEST(Profile, ANameGivenTwiceIsRefused) {
+  std::string text = rotatingStripe().dump();
+  const auto begin = text.find('{');
+  text.insert(begin + 1, "\"name\": \"other\", ");
+  try {
+    static_cast<void>(parseProfile({"test.json", text, {}}));
+    FAIL();
+  } catch (const InvalidInput& e) {
+    EXPECT_EQ(std::string(e.what()), "test.json: has \"name\" twice in one object, expected every name once");
+  }
+}
+
+TEST(Profile, ItsNameIsPlainText) {
+  json document = rotatingStripe();
+  document["name"] = "A\x1b[31mB\nscans: 9";
+  EXPECT_EQ(parseProfile({"test.json", document.dump(), {}}).name, "A\uFFFD[31mB\uFFFDscans: 9");
+}
+
 TEST(Profile, EndlessNestingIsRefused) {
   const std::string deep = "{\"name\": " + std::string(1'000'000, '[') + std::string(1'000'000, ']') + "}";
   try {

@@ -54,6 +54,24 @@ TEST_F(EarlierVersions, ADamagedRowIsNamedAndLosesNothingElse) {
   }
 }
 
+TEST_F(EarlierVersions, ADamagedSessionIsCopiedWhateverItSaysOfEarlierCopies) {
+  const std::string path = copyOf("schema_2_ended");
+  const std::string other = folder_.write("other.txt", "no session");
+  {
+    Database database(path, Database::Mode::Write);
+    database.run("UPDATE record SET data = '' WHERE id = 3");
+    database.run("INSERT OR REPLACE INTO meta VALUES('damaged_copy', '" + other + "'), ('damages', '1')");
+    database.run("PRAGMA journal_mode=DELETE");
+  }
+  const std::string damaged = bytesOf(path);
+  { const Session session = Session::open(path, SessionAccess::Write); }
+  ASSERT_TRUE(std::filesystem::exists(path + ".damaged-1"));
+  EXPECT_EQ(bytesOf(path + ".damaged-1"), damaged);
+  // That one is known, and enough.
+  { const Session session = Session::open(path, SessionAccess::Write); }
+  EXPECT_FALSE(std::filesystem::exists(path + ".damaged-2"));
+}
+
 TEST_F(EarlierVersions, DamagedPagesAreRescuedAndBroughtUpToDate) {
   const std::string good = bytesOf(earlierSession("schema_2_ended"));
   constexpr std::size_t kPage = 1024;

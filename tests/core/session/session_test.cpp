@@ -294,6 +294,24 @@ TEST_F(SessionTest, RefusesASchemaThatDoesMoreThanHoldData) {
   EXPECT_THROW(static_cast<void>(reopened()), InvalidInput);
 }
 
+TEST_F(SessionTest, RefusesATriggerThatHasTheNameOfATable) {
+  static_cast<void>(saveTwoViews());
+  {
+    Database database(path(), Database::Mode::Write);
+    const std::string event = "CREATE TABLE event(id INTEGER PRIMARY KEY, what TEXT NOT NULL, step INTEGER NOT NULL)";
+    database.run("ALTER TABLE event RENAME TO e0");
+    database.run("CREATE TRIGGER event AFTER INSERT ON scan BEGIN DELETE FROM scan WHERE id = 0; END");
+    database.run(event);
+    database.run("INSERT INTO event SELECT * FROM e0");
+    database.run("DROP TABLE e0");
+    // Whatever is in the file, it does not run.
+    database.run("INSERT INTO scan SELECT 100, stand, position, known_by, rays, nominal, range FROM scan WHERE id = 0");
+    EXPECT_EQ(database.prepare("SELECT 1 FROM scan WHERE id = 0").step(), true);
+  }
+  EXPECT_THROW(static_cast<void>(reopened()), InvalidInput);
+  EXPECT_THROW(static_cast<void>(Session::open(path(), SessionAccess::Write)), InvalidInput);
+}
+
 TEST(SessionBlobs, RefuseEveryTruncation) {
   Model model;
   model.mesh.vertices = {Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)};
