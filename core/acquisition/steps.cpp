@@ -9,6 +9,7 @@
 #include "registration/position_search.h"
 #include "registration/registration_scale.h"
 #include "registration/registration_target.h"
+#include "registration/scan_set.h"
 
 namespace vantage {
 namespace {
@@ -140,12 +141,29 @@ void explainFailure(const AcquisitionState& state, KeptScan& scan, const StepOpt
     found.finding = {VerdictReason::OtherPosition, static_cast<double>(*other), {}};
 }
 
+// A scan that fits the model may still contradict what the views have looked through, or show emptiness where they saw
+// surface.
+void checkAgainstOthers(const AcquisitionState& state, KeptScan& scan, const StepOptions& options,
+                        const Progress& progress) {
+  std::vector<View> views = viewsOf(state);
+  views.push_back(scan.view);
+  views.back().T_object_scanner = scan.record.registration.T_object_scanner;
+  const bool isDoubtful = scan.record.registration.verdict == Verdict::Doubtful;
+  const auto contradiction = contradictionOfLast(views, isDoubtful, options.registration, progress);
+  if (!contradiction) return;
+  scan.record.registration.verdict = Verdict::Failed;
+  scan.record.registration.finding = {VerdictReason::ContradictsOthers, *contradiction, {}};
+}
+
 // Registers a scan and moves all views to where they agree best. @return whether it found its place
 bool findPlace(AcquisitionState& state, KeptScan& scan, const StepOptions& options, const Progress& progress) {
   scan.view.T_object_scanner = expectedPose(state, *scan.view.image);
   scan.record.registration = registerWithModel(state, scan, options, progress.part(0.0, 0.6));
+  const Progress checking = progress.part(0.6, 0.7);
   if (scan.record.registration.verdict == Verdict::Failed)
-    explainFailure(state, scan, options, progress.part(0.6, 0.7));
+    explainFailure(state, scan, options, checking);
+  else
+    checkAgainstOthers(state, scan, options, checking);
   const bool found = scan.record.registration.verdict != Verdict::Failed;
   scan.status = found ? ScanStatus::In : ScanStatus::Rejected;
   if (found) scan.view.T_object_scanner = scan.record.registration.T_object_scanner;

@@ -64,7 +64,7 @@ void doubt(const PoseListFinding& finding, ScanSet& set) {
 
 // Nothing holds what the surface lets go of; where that left some out, nothing says that the others are right.
 void nameMissingList(ScanSet& set) {
-  Placement& placement = set.placement;
+  PlacedViews& placement = set.placement;
   if (placement.order.empty()) return;
   const std::size_t first = placement.order.front();
   for (std::size_t i = 0; i < placement.views.size(); ++i) {

@@ -15,10 +15,18 @@ constexpr std::size_t kAsked = 1000;
 constexpr double kMostContradiction = 0.015;
 // What lies so many spacings in front was looked through.
 constexpr double kThroughSpacings = 2.0;
+// Where the pose is doubtful less emptiness speaks against it: right scans miss a twentieth of what others saw.
+constexpr double kMayMissInDoubt = 0.15;
 constexpr int kMostRounds = 3;
 constexpr int kGood = 2;
 constexpr int kDoubtful = 1;
 constexpr int kOut = -1;
+
+// How far off what was looked up may lie.
+PairGates gatesFor(const RegistrationScale& scale, const IcpOptions& options) {
+  return {std::max(kThroughSpacings * scale.spacing, fineGate(scale)), *resolved(options, scale).hiddenDepth,
+          options.finalAngle};
+}
 
 class Judge {
  public:
@@ -56,14 +64,11 @@ class Judge {
 
   // @return whether there were any
   bool removeContradictions(std::span<const Pose> given, const Progress& progress) {
-    Placement& placement = set_.placement;
+    PlacedViews& placement = set_.placement;
     std::vector<int> trust(views_.size(), kOut);
     for (const std::size_t i : placement.order)
       trust[i] = placement.views[i].verdict == Verdict::Good ? kGood : kDoubtful;
-    const double depth = *resolved(options_.icp, scale_).hiddenDepth;
-    const PairGates gates{std::max(kThroughSpacings * scale_.spacing, fineGate(scale_)), depth,
-                          options_.icp.finalAngle};
-    const auto all = agreements(prepared_, placement.poses, gates, kAsked, progress);
+    const auto all = agreements(prepared_, placement.poses, gatesFor(scale_, options_.icp), kAsked, progress);
     const auto out = contradicting(all, trust, kMostContradiction);
     bool any = false;
     for (std::size_t i = 0; i < views_.size(); ++i) {
@@ -79,7 +84,7 @@ class Judge {
 
   // All others together may hold what those placed before a view did not.
   void liftDoubts(const Progress& progress) {
-    Placement& placement = set_.placement;
+    PlacedViews& placement = set_.placement;
     for (const std::size_t i : sorted()) {
       const VerdictReason reason = placement.views[i].finding.reason;
       if (placement.views[i].verdict != Verdict::Doubtful || reason == VerdictReason::Motion) continue;
@@ -109,6 +114,19 @@ double ScanSet::worth() const {
   double sum = 0.0;
   for (const std::size_t i : placement.order) sum += placement.views[i].verdict == Verdict::Good ? 1.0 : 0.5;
   return sum;
+}
+
+std::optional<double> contradictionOfLast(std::span<const View> views, bool isDoubtful, const IcpOptions& options,
+                                          const Progress& progress) {
+  if (views.size() < 2) return std::nullopt;
+  const std::vector<PreparedView> prepared = prepareViews(views, progress.part(0.0, 0.7));
+  std::vector<Pose> poses;
+  for (const View& view : views) poses.push_back(view.T_object_scanner);
+  const Agreement all = agreementWithOthers(prepared, poses, views.size() - 1, gatesFor(scaleOf(prepared), options),
+                                            kAsked, progress.part(0.7, 1.0));
+  const double mayMiss = isDoubtful ? kMayMissInDoubt : kMayMiss;
+  if (!contradict(all, kMostContradiction, mayMiss)) return std::nullopt;
+  return all.contradiction(mayMiss);
 }
 
 ScanSet judgedSet(std::span<const View> views, std::span<const PreparedView> prepared, std::span<const Pose> given,

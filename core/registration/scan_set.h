@@ -1,16 +1,17 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "registration/alignment.h"
-#include "registration/placement.h"
+#include "registration/placed_views.h"
 
 namespace vantage {
 
 /// A set of scans that was placed, refined and judged as a whole.
 struct ScanSet {
-  Placement placement;         ///< with the refined poses, and the views that are out of the set not in its order
+  PlacedViews placement;       ///< with the refined poses, and the views that are out of the set not in its order
   MultiViewResult refinement;  ///< of the views in the order, sorted by index
 
   /// How much it holds together: one for every good view, half for every doubtful one.
@@ -23,5 +24,11 @@ struct ScanSet {
 /// @throws InvalidInput as registerView and refineViews, Cancelled
 [[nodiscard]] ScanSet judgedSet(std::span<const View> views, std::span<const PreparedView> prepared,
                                 std::span<const Pose> given, const AlignmentOptions& options, const Progress& progress);
+
+/// How much the last view contradicts all others under their poses [share of points, 0..1]; nothing where it does not.
+/// @param isDoubtful whether its pose is: less speaks against it then
+/// @throws Cancelled
+[[nodiscard]] std::optional<double> contradictionOfLast(std::span<const View> views, bool isDoubtful,
+                                                        const IcpOptions& options, const Progress& progress);
 
 }  // namespace vantage

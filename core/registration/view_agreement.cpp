@@ -11,8 +11,6 @@ namespace {
 
 // A point faces a scanner that must have seen it by at least this cosine.
 constexpr double kPlainlyFacing = 0.6;
-// A scanner misses what is dark or in its receiver's shadow: emptiness speaks beyond this share only.
-constexpr double kMayMiss = 0.4;
 // So few points that were looked through may be flying ones.
 constexpr double kMayFly = 8.0;
 // Fewer expected points say nothing.
@@ -22,11 +20,6 @@ Agreement between(std::span<const Agreement> agreements, std::size_t n, std::siz
   Agreement both = agreements[i * n + j];
   both += agreements[j * n + i];
   return both;
-}
-
-bool contradict(const Agreement& both, double most) {
-  const bool plainly = both.through >= kMayFly || both.empty > kMayMiss * both.expected();
-  return plainly && both.expected() >= kFewest && both.contradiction() > most;
 }
 
 }  // namespace
@@ -40,9 +33,9 @@ Agreement& Agreement::operator+=(const Agreement& other) {
   return *this;
 }
 
-double Agreement::contradiction() const {
+double Agreement::contradiction(double mayMiss) const {
   const double all = expected();
-  return all > 0.0 ? through / all + std::max(0.0, empty / all - kMayMiss) : 0.0;
+  return all > 0.0 ? through / all + std::max(0.0, empty / all - mayMiss) : 0.0;
 }
 
 Agreement agreementOf(const PreparedView& from, const PreparedView& to, const Pose& T_to_from, const PairGates& gates,
@@ -75,6 +68,24 @@ std::vector<Agreement> agreements(std::span<const PreparedView> views, std::span
     if (i != j) all[k] = agreementOf(views[i], views[j], poses[j].inverse() * poses[i], gates, count);
   });
   return all;
+}
+
+Agreement agreementWithOthers(std::span<const PreparedView> views, std::span<const Pose> poses, std::size_t view,
+                              const PairGates& gates, std::size_t count, const Progress& progress) {
+  std::vector<Agreement> each(views.size());
+  parallelChunks(views.size(), 1, progress, [&](std::size_t i, std::size_t) {
+    if (i == view) return;
+    each[i] = agreementOf(views[i], views[view], poses[view].inverse() * poses[i], gates, count);
+    each[i] += agreementOf(views[view], views[i], poses[i].inverse() * poses[view], gates, count);
+  });
+  Agreement all;
+  for (const Agreement& agreement : each) all += agreement;
+  return all;
+}
+
+bool contradict(const Agreement& both, double most, double mayMiss) {
+  const bool plainly = both.through >= kMayFly || both.empty > mayMiss * both.expected();
+  return plainly && both.expected() >= kFewest && both.contradiction(mayMiss) > most;
 }
 
 std::vector<std::optional<double>> contradicting(std::span<const Agreement> agreements, std::span<const int> trust,

@@ -8,6 +8,9 @@
 
 namespace vantage {
 
+/// A scanner misses what is dark or in its receiver's shadow: emptiness speaks beyond this share only.
+inline constexpr double kMayMiss = 0.4;
+
 /// What two views say about each other: numbers of points of one that were looked up on the other.
 struct Agreement {
   double paired = 0.0;   ///< surface lies where the other saw it
@@ -20,9 +23,8 @@ struct Agreement {
 
   /// Points that the other should have seen, as it did or not.
   [[nodiscard]] double expected() const { return paired + through + empty + turned; }
-  /// Share of those that contradict, 0..1; 0 where none are expected. Emptiness counts from 40 % on: a scanner misses
-  /// what is dark or in its receiver's shadow.
-  [[nodiscard]] double contradiction() const;
+  /// Share of those that contradict, 0..1; 0 where none are expected. Emptiness counts beyond the share `mayMiss`.
+  [[nodiscard]] double contradiction(double mayMiss = kMayMiss) const;
 };
 
 /// Looks about `count` points of `from` up on `to`; through is what lies in front by more than the gate.
@@ -40,5 +42,13 @@ struct Agreement {
 /// @return one per view: its contradiction with the views of the set, nothing for those in it
 [[nodiscard]] std::vector<std::optional<double>> contradicting(std::span<const Agreement> agreements,
                                                                std::span<const int> trust, double most);
+
+/// What one view and all others say about each other. @throws Cancelled
+[[nodiscard]] Agreement agreementWithOthers(std::span<const PreparedView> views, std::span<const Pose> poses,
+                                            std::size_t view, const PairGates& gates, std::size_t count,
+                                            const Progress& progress);
+
+/// Whether more than the share `most` of so many points contradicts, and plainly so.
+[[nodiscard]] bool contradict(const Agreement& both, double most, double mayMiss = kMayMiss);
 
 }  // namespace vantage

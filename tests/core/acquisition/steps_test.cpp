@@ -95,6 +95,17 @@ TEST(AddScan, LaterScansLiftADoubt) {
   EXPECT_EQ(registrationOf(after, 1).finding.reason, VerdictReason::HeldByAll);
 }
 
+TEST(AddScan, WhatFitsButShowsEmptinessWhereOthersSawSurfaceStaysOut) {
+  // A bar that slides along itself: its ends say that it has moved 25 mm.
+  AcquisitionState state = scanned(testing::makeBox({-8.0, -45.0, 40.0}, {8.0, 25.0, 60.0}), {0});
+  const Mesh moved = testing::makeBox({-8.0, -20.0, 40.0}, {8.0, 50.0, 60.0});
+  const Rig rig = testing::simulation(moved, state.profile, {1, true});
+  const auto image = std::make_shared<RangeImage>(scanFrom(rig, 1, Progress()));
+  state = addScan(state, {1, image}, std::nullopt, stepOptionsFor(state), {});
+  EXPECT_EQ(state.scans[1].status, ScanStatus::Rejected);
+  EXPECT_EQ(registrationOf(state, 1).finding.reason, VerdictReason::ContradictsOthers);
+}
+
 TEST(AddScan, NamesThePositionThatAScanFits) {
   AcquisitionState state = scanned(testing::smallObject(), {0, 2, 4});
   const Rig rig = testing::simulation(testing::smallObject(), state.profile, {1, true});

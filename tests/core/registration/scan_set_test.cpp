@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "registration/list_search.h"
-#include "registration/placement.h"
+#include "registration/placed_views.h"
 #include "scenes.h"
 #include "support/meshes.h"
 
@@ -51,9 +51,9 @@ TEST(ScanSet, LeavesOutTheFirstScanWhenItIsTheOddOne) {
   EXPECT_EQ(set.refinement.poses.size(), 4U);
 }
 
-TEST(Placement, BeginsWithTheFirstScanWhereItBelongs) {
+TEST(PlacedViews, BeginsWithTheFirstScanWhereItBelongs) {
   const std::vector<View> views = ballScans();
-  const Placement placement = placeViews(prepareViews(views, {}), posesOf(views), {}, {});
+  const PlacedViews placement = placeViews(prepareViews(views, {}), posesOf(views), {}, {});
   EXPECT_EQ(placement.order.front(), 0U);
   EXPECT_EQ(placement.order.size(), 5U);
   EXPECT_EQ(placement.poses[0].matrix(), views[0].T_object_scanner.matrix());

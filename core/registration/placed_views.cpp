@@ -1,4 +1,4 @@
-#include "registration/placement.h"
+#include "registration/placed_views.h"
 
 #include <algorithm>
 #include <optional>
@@ -67,7 +67,7 @@ class Growth {
     }
   }
 
-  Placement found;
+  PlacedViews found;
 
  private:
   void place(std::size_t i, const Pose& pose, ViewAlignment alignment) {
@@ -143,13 +143,13 @@ class Growth {
 
 }  // namespace
 
-Placement placeViews(std::span<const PreparedView> views, std::span<const Pose> given, const AlignmentOptions& options,
-                     const Progress& progress) {
+PlacedViews placeViews(std::span<const PreparedView> views, std::span<const Pose> given,
+                       const AlignmentOptions& options, const Progress& progress) {
   const RegistrationScale scale = scaleOf(views);
   const IcpOptions icp = resolved(options.icp, scale);
   const std::vector<double> overlap =
       overlaps(views, given, {*icp.coarseGate, *icp.hiddenDepth, icp.coarseAngle}, progress.part(0.0, 0.1));
-  std::optional<Placement> best;
+  std::optional<PlacedViews> best;
   std::vector<bool> left(views.size(), true);
   for (std::size_t first = 0; first < views.size(); ++first) {
     if (!left[first] || views[first].points.size() == 0) continue;

@@ -10,7 +10,7 @@
 namespace vantage {
 
 /// Where views found their places one after the other.
-struct Placement {
+struct PlacedViews {
   std::vector<Pose> poses;           ///< one per view; those that failed as given
   std::vector<ViewAlignment> views;  ///< one per view
   std::vector<std::size_t> order;    ///< of the views placed; the first of them has its given pose
@@ -23,7 +23,7 @@ struct Placement {
 /// earlier view.
 /// @param given T_object_scanner, one per view
 /// @throws InvalidInput as registerView, Cancelled
-[[nodiscard]] Placement placeViews(std::span<const PreparedView> views, std::span<const Pose> given,
-                                   const AlignmentOptions& options, const Progress& progress);
+[[nodiscard]] PlacedViews placeViews(std::span<const PreparedView> views, std::span<const Pose> given,
+                                     const AlignmentOptions& options, const Progress& progress);
 
 }  // namespace vantage
