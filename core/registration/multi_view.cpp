@@ -9,6 +9,7 @@
 
 #include "base/errors.h"
 #include "base/parallel.h"
+#include "registration/icp.h"
 #include "registration/pair_term.h"
 #include "registration/registration_scale.h"
 #include "registration/view_network.h"
@@ -22,6 +23,11 @@ constexpr double kPriorAngle = radians(3.0);
 constexpr double kCoarseTolerance = 0.02;
 // The error may rise so much when poses give in to the ties: the pairs' noise has been fitted before.
 constexpr double kMayRise = 1.02;
+// Motions are open where the pairs hold them so many times less surely than a good pose.
+constexpr double kOpenSigmas = 4.0;
+constexpr int kRoundsBack = 4;
+// What was open has been fitted to the noise before, and is not afterwards.
+constexpr double kMayRiseBack = 1.1;
 // Sigma of a motion that no pairs hold [fine gates].
 constexpr double kLoose = 1000.0;
 
@@ -59,15 +65,20 @@ class NormalEquations {
     return motions;
   }
 
-  // Covariances of the motions of all views but the first, rotations measured by what they do at a radius. What nothing
-  // holds has the sigma `loose` [mm].
-  [[nodiscard]] std::vector<Mat6> covariances(double radius, double loose) const {
-    Vec6 scale;
-    scale << Vec3::Constant(1.0 / radius), Vec3::Ones();
-    const Eigen::VectorXd scales = scale.replicate(unknowns_ / 6, 1);
+  // About the motions of all views but the first, rotations measured by what they do at a radius [1/mm^2].
+  [[nodiscard]] Eigen::MatrixXd information(double radius) const {
+    const Eigen::VectorXd scales = scalesFor(radius);
     Eigen::SparseMatrix<double> system(unknowns_, unknowns_);
     system.setFromTriplets(entries_.begin(), entries_.end());
-    Eigen::MatrixXd information = scales.asDiagonal() * Eigen::MatrixXd(system) * scales.asDiagonal();
+    return scales.asDiagonal() * Eigen::MatrixXd(system) * scales.asDiagonal();
+  }
+
+  // Where they are least is information times motions = pull [1/mm].
+  [[nodiscard]] Eigen::VectorXd pull(double radius) const { return scalesFor(radius).asDiagonal() * pull_; }
+
+  // The inverse of the information, view by view. What nothing holds has the sigma `loose` [mm].
+  [[nodiscard]] std::vector<Mat6> covariances(double radius, double loose) const {
+    Eigen::MatrixXd information = this->information(radius);
     information.diagonal().array() += 1.0 / (loose * loose);
     const Eigen::MatrixXd covariance = information.llt().solve(Eigen::MatrixXd::Identity(unknowns_, unknowns_));
     std::vector<Mat6> blocks;
@@ -76,6 +87,12 @@ class NormalEquations {
   }
 
  private:
+  [[nodiscard]] Eigen::VectorXd scalesFor(double radius) const {
+    Vec6 scale;
+    scale << Vec3::Constant(1.0 / radius), Vec3::Ones();
+    return scale.replicate(unknowns_ / 6, 1);
+  }
+
   static Eigen::Index first(std::size_t view) { return static_cast<Eigen::Index>(6 * (view - 1)); }
 
   void addBlock(std::size_t i, std::size_t j, const Mat6& block) {
@@ -124,6 +141,7 @@ class Refiner {
       result.rmsAfter = result.rmsBefore;
       findPairs(views_, poses_, gatesAt(*options_.finalGate), progress.part(0.95, 1.0), fine);
     }
+    goBack(fine, progress);
     result.poses = poses_;
     for (const ViewLink& link : fine)
       result.pairs += static_cast<std::size_t>(std::count_if(
@@ -225,12 +243,67 @@ class Refiner {
     return farthest;
   }
 
-  [[nodiscard]] std::vector<double> sigmasOf(const std::vector<ViewLink>& links, const Progress& progress) const {
+  // Of the pairs alone.
+  [[nodiscard]] NormalEquations equationsOf(const std::vector<ViewLink>& links, const Progress& progress) const {
     const double sigma = std::max(kLeastSigma, deviation(links));
     const PairNoise noise = pairNoise(sigma, *options_.finalGate, *options_.finalGate);
     NormalEquations equations(views_.size());
     const std::vector<PairTerm> terms = termsOf(links, noise, progress);
     for (std::size_t l = 0; l < links.size(); ++l) equations.addLink(links[l].from, links[l].to, terms[l]);
+    return equations;
+  }
+
+  // Along motions that no pairs hold the views go back to where they were said to be, unless surfaces part by that.
+  void goBack(std::vector<ViewLink>& links, const Progress& progress) {
+    if (options_.given.empty()) return;
+    const std::vector<Pose> found = poses_;
+    const double before = errorOf(links, progress);
+    for (int round = 0; round < kRoundsBack; ++round) {
+      move(stepBack(equationsOf(links, progress)));
+      findPairs(views_, poses_, gatesAt(*options_.finalGate), progress, links);
+    }
+    if (errorOf(links, progress) <= kMayRiseBack * before) return;
+    poses_ = found;
+    findPairs(views_, poses_, gatesAt(*options_.finalGate), progress, links);
+  }
+
+  // All the way along what is open, and a Gauss-Newton step along the rest: large turns bend what is open.
+  [[nodiscard]] Eigen::VectorXd stepBack(const NormalEquations& equations) const {
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(equations.information(radius_));
+    const double open = kOpenSigmas * *resolved(IcpOptions(), scale_).limits.maxPoseSigma;
+    const Eigen::VectorXd away = awayFromGiven();
+    const Eigen::VectorXd pull = equations.pull(radius_);
+    Eigen::VectorXd step = Eigen::VectorXd::Zero(away.size());
+    for (Eigen::Index k = 0; k < away.size(); ++k) {
+      const auto motion = solver.eigenvectors().col(k);
+      const double information = solver.eigenvalues()[k];
+      step += (information < 1.0 / (open * open) ? motion.dot(away) : motion.dot(pull) / information) * motion;
+    }
+    return step;
+  }
+
+  void move(const Eigen::VectorXd& motions) {
+    for (std::size_t i = 1; i < views_.size(); ++i) {
+      Vec6 motion = motions.segment<6>(static_cast<Eigen::Index>(6 * (i - 1)));
+      motion.head<3>() /= radius_;
+      poses_[i] = motionAbout(centre_, motion) * poses_[i];
+    }
+  }
+
+  // The motions that would bring all views but the first to where they were said to be, as the information has them.
+  [[nodiscard]] Eigen::VectorXd awayFromGiven() const {
+    const Pose T_here_given = poses_[0] * options_.given[0].inverse();
+    Eigen::VectorXd away(static_cast<Eigen::Index>(6 * (views_.size() - 1)));
+    for (std::size_t i = 1; i < views_.size(); ++i) {
+      Vec6 motion = motionVector(T_here_given * options_.given[i] * poses_[i].inverse(), centre_);
+      motion.head<3>() *= radius_;
+      away.segment<6>(static_cast<Eigen::Index>(6 * (i - 1))) = motion;
+    }
+    return away;
+  }
+
+  [[nodiscard]] std::vector<double> sigmasOf(const std::vector<ViewLink>& links, const Progress& progress) const {
+    const NormalEquations equations = equationsOf(links, progress);
     std::vector<double> sigmas{0.0};
     for (const Mat6& covariance : equations.covariances(radius_, kLoose * *options_.finalGate)) {
       const Eigen::SelfAdjointEigenSolver<Mat6> solver(covariance);
@@ -271,6 +344,9 @@ MultiViewResult refineViews(std::span<const View> views, const MultiViewOptions&
     if (tie.from >= views.size() || tie.to >= views.size() || tie.from == tie.to)
       throw InvalidInput("a tie leads from view " + std::to_string(tie.from) + " to view " + std::to_string(tie.to) +
                          ", expected two of " + std::to_string(views.size()) + " views");
+  if (!options.given.empty() && options.given.size() != views.size())
+    throw InvalidInput("there are " + std::to_string(options.given.size()) + " given poses for " +
+                       std::to_string(views.size()) + " views, expected one for each");
   if (views.size() < 2) {
     MultiViewResult result;
     for (const View& view : views) {

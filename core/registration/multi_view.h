@@ -36,6 +36,9 @@ struct MultiViewOptions {
   /// often the poses are refined. A view that no tie leads to is held at its pose by 3 degrees and a fortieth of its
   /// extent about its centroid, which decides about motions that no pair of views holds.
   std::vector<PoseTie> ties;
+  /// Where the views were said to be, one pose per view, or none: along motions that no pairs hold they go back there,
+  /// as seen from the first view.
+  std::vector<Pose> given;
 };
 
 struct MultiViewResult {
@@ -56,7 +59,8 @@ struct MultiViewResult {
 ///
 /// Poses are taken over only if the robust error falls, or if they are nearer to what the ties say and it rises by less
 /// than 2 %. Deterministic for any thread count.
-/// @throws InvalidInput when the options contradict each other or a tie is not of two of the views; Cancelled
+/// @throws InvalidInput when the options contradict each other or a tie is not of two of the views, or for given poses
+/// that are not one per view; Cancelled
 [[nodiscard]] MultiViewResult refineViews(std::span<const View> views, const MultiViewOptions& options,
                                           const Progress& progress = {});
 

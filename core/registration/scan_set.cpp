@@ -34,6 +34,9 @@ class Judge {
       : views_(views), prepared_(prepared), options_(options), scale_(scaleOf(prepared)) {}
 
   ScanSet run(std::span<const Pose> given, const Progress& progress) {
+    given_ = given;
+    known_ = std::all_of(views_.begin(), views_.end(),
+                         [](const View& view) { return view.image->poseKnownBy != PoseSource::Unknown; });
     set_.placement = placeViews(prepared_, given, options_, progress.part(0.0, 0.5));
     for (int round = 0; round < kMostRounds; ++round) {
       const Progress part = progress.part(0.5 + 0.15 * round, 0.65 + 0.15 * round);
@@ -58,7 +61,10 @@ class Judge {
       toRefine.push_back(views_[i]);
       toRefine.back().T_object_scanner = set_.placement.poses[i];
     }
-    set_.refinement = refineViews(toRefine, options_.refinement, progress);
+    MultiViewOptions refinement = options_.refinement;
+    if (known_)
+      for (const std::size_t i : placed) refinement.given.push_back(given_[i]);
+    set_.refinement = refineViews(toRefine, refinement, progress);
     for (std::size_t k = 0; k < placed.size(); ++k) set_.placement.poses[placed[k]] = set_.refinement.poses[k];
   }
 
@@ -105,6 +111,8 @@ class Judge {
   std::span<const PreparedView> prepared_;
   const AlignmentOptions& options_;
   RegistrationScale scale_;
+  std::span<const Pose> given_;
+  bool known_ = false;  // whether somebody said where the scans were taken
   ScanSet set_;
 };
 

@@ -131,6 +131,26 @@ TEST(MultiView, DoesNotTurnWhatNothingHolds) {
   }
 }
 
+TEST(MultiView, GoesBackToWhatWasSaidWhereNothingHolds) {
+  const auto profile = makeProfile(0.1, 90, 90);
+  std::vector<View> views;
+  MultiViewOptions options;
+  for (int i = 0; i < 4; ++i) {
+    views.push_back(scanVase(profile, 15 * i, static_cast<unsigned>(i) + 1));
+    options.given.push_back(views.back().T_object_scanner);
+    // Turned about the axis of the vase by 4 degrees more from view to view.
+    views.back().T_object_scanner = Eigen::AngleAxisd(radians(4.0 * i), Vec3::UnitZ()) * views.back().T_object_scanner;
+  }
+  const MultiViewResult result = refineViews(views, options);
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    const Vec6 motion = motionVector(result.poses[i] * options.given[i].inverse(), Vec3::Zero());
+    EXPECT_LT(std::abs(motion[2]), radians(0.2)) << i;
+    EXPECT_LT(motion.tail<3>().norm(), 0.3) << i;
+  }
+  options.given.pop_back();
+  EXPECT_THROW((void)refineViews(views, options), InvalidInput);
+}
+
 TEST(MultiView, GivesTheSameBytesForAnyThreadCount) {
   Ring ring = makeRing(6);
   drift(ring);
