@@ -267,6 +267,17 @@ AcquisitionState placeStand(const AcquisitionState& state, int stand, const Pose
   return next;
 }
 
+namespace {
+
+// Whether a view is in the model that the table alone placed: errors of its moves would pile up beyond that.
+bool reliesOnTable(const AcquisitionState& state) {
+  return std::any_of(state.scans.begin(), state.scans.end(), [](const KeptScan& scan) {
+    return scan.status == ScanStatus::In && scan.record.registration.finding.reason == VerdictReason::TableAlone;
+  });
+}
+
+}  // namespace
+
 PlanInput planInputOf(const AcquisitionState& state) {
   PlanInput input{state.profile, state.model, viewsOf(state), {}, {}, Pose::Identity()};
   if (const auto& T_object_table = state.stands.back().T_object_table) input.T_object_table = *T_object_table;
@@ -281,7 +292,9 @@ Plan planAfter(const AcquisitionState& state, const ScannerImages& images, const
                const Progress& progress) {
   if (!state.stands.back().T_object_table)
     throw InvalidInput("it is not known how the object stands, so no view can be planned");
-  return planNextView(planInputOf(state), images, options.planner, progress);
+  PlannerOptions planner = options.planner;
+  if (reliesOnTable(state)) planner.tableAloneShare = 1.0;
+  return planNextView(planInputOf(state), images, planner, progress);
 }
 
 }  // namespace vantage

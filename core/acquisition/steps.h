@@ -45,6 +45,7 @@ namespace vantage {
 [[nodiscard]] PlanInput planInputOf(const AcquisitionState& state);
 
 /// The plan for the stand of now. @pre there is a view, and the pose of the stand is known
+/// No second view in a row of doubts is left to the table alone: errors of its moves would pile up.
 [[nodiscard]] Plan planAfter(const AcquisitionState& state, const ScannerImages& images, const StepOptions& options,
                              const Progress& progress);
 
