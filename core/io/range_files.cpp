@@ -48,8 +48,8 @@ RangeImage readRangeFile(const std::string& path, const RangeFileOptions& option
   return imageAlong(grid.samples, -Vec3::UnitZ(), options.standoff);
 }
 
-RangeImage readRangeFile(const std::string& path, std::shared_ptr<const RayGrid> rays, const RangeFileOptions& options,
-                         const Progress& progress) {
+RangeImage readRangeFile(const std::string& path, const std::shared_ptr<const RayGrid>& rays,
+                         const RangeFileOptions& options, const Progress& progress) {
   const SampleGrid grid = readRangeGrid(path, options, progress).samples;
   if (grid.rows != rays->rows() || grid.columns != rays->columns())
     throw InvalidInput(path + ": has " + std::to_string(grid.rows) + " x " + std::to_string(grid.columns) +

@@ -42,7 +42,7 @@ struct RangeFileOptions {
 /// @throws as readRangeGrid; InvalidInput also when the grid has another size, or a sample lies farther from its ray
 /// than 1 mm
 ///         or a hundredth of its range
-[[nodiscard]] RangeImage readRangeFile(const std::string& path, std::shared_ptr<const RayGrid> rays,
+[[nodiscard]] RangeImage readRangeFile(const std::string& path, const std::shared_ptr<const RayGrid>& rays,
                                        const RangeFileOptions& options = {}, const Progress& progress = {});
 
 /// Writes a range image as binary PLY range file in millimetres and scanner coordinates. Pose and position are not

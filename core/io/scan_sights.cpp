@@ -99,7 +99,7 @@ class SightDecision {
 
   [[nodiscard]] std::optional<Vec3> foundSight(const RawScan& scan) const {
     if (!placed_)
-      if (const auto common = commonSpread()) return common;
+      if (auto common = commonSpread()) return common;
     if (!scan.sight.fits) return std::nullopt;
     if (scan.sight.spreads) return scan.sight.direction;
     const auto side = sideOfOne(scan);

@@ -95,6 +95,7 @@ bool isLevel(const SampleGrid& grid, Axis axis) {
   if (down.size() < kLeastSteps || along.size() < kLeastSteps) return false;
   const double step = median(down);
   std::vector<double> off;
+  off.reserve(down.size());
   for (const double d : down) off.push_back(std::abs(d - step));
   return std::abs(step) > 0.0 && median(along) < kLevel * std::abs(step) && median(off) < kLevel * std::abs(step);
 }

@@ -65,7 +65,7 @@ Mesh surfaceOf(const PlanInput& input, const PlannerOptions& options, const std:
 
 }  // namespace
 
-PlanningScene::PlanningScene(PlanInput input, const PlannerOptions& options, const Progress& progress)
+PlanningScene::PlanningScene(const PlanInput& input, const PlannerOptions& options, const Progress& progress)
     : PlanningScene(input, findVoid(input, options, progress.part(0.0, 0.5)), options, progress.part(0.5, 1.0)) {}
 
 PlanningScene::PlanningScene(PlanInput input, std::shared_ptr<const VoidSurface> voids, const PlannerOptions& options,

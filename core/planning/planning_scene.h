@@ -38,7 +38,7 @@ class PlanningScene {
  public:
   /// Finds the void patches of the model.
   /// @throws InvalidInput when there is no view yet, or a model that does not fit its views; Cancelled
-  PlanningScene(PlanInput input, const PlannerOptions& options, const Progress& progress);
+  PlanningScene(const PlanInput& input, const PlannerOptions& options, const Progress& progress);
 
   /// The scene of a plan that was made of the same input and options.
   /// @param voids the void patches of that plan

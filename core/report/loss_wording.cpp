@@ -6,7 +6,7 @@ Phrase phraseOf(const Loss& loss, const std::string& path) {
   const Phrase session = asIs(path);
   const Phrase number = asIs(std::to_string(loss.number.value_or(0)));
   const Phrase name = asIs(loss.name);
-  const Phrase error = asIs(loss.error);
+  Phrase error = asIs(loss.error);
   switch (loss.kind) {
     case LossKind::Copied:
       return words("%1: is damaged; before anything was written to it, it was copied to %2", {session, name});

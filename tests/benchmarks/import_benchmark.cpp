@@ -116,7 +116,7 @@ int main(int argc, char** argv) {
   Row right;      // sets without a fault, and whose scans overlap
   Row rightFine;  // of those the ones with noise up to half a spacing
   for (int k = 0; k < count; ++k) {
-    const SimulatedImport set = simulatedImport(static_cast<std::uint64_t>(first + k));
+    const SimulatedImport set = simulatedImport(static_cast<std::uint64_t>(first) + static_cast<std::uint64_t>(k));
     const Outcome outcome = outcomeOf(set);
     add(outcome, rows[std::string(name(set.fault)) + ", " + name(set.kind)]);
     add(outcome, all);

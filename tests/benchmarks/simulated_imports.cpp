@@ -110,8 +110,8 @@ Body bodyOf(BodyKind kind, Random& random) {
   return uniqueBody(random);
 }
 
-Body scaledBy(Body body, double factor) {
-  return [=](const Vec3& p) { return factor * body(p / factor); };
+Body scaledBy(const Body& body, double factor) {
+  return [body, factor](const Vec3& p) { return factor * body(p / factor); };
 }
 
 // x to the right, y up, z to the scanner.

@@ -23,6 +23,7 @@ VoidPatch patchTurned(double angle) {
 PatchHistory historyOf(const VoidPatch& patch, const std::vector<std::size_t>& positions, const Mesh& obstacles = {}) {
   const ScannerProfile profile = testing::flatScanner();
   std::vector<Pose> taken;
+  taken.reserve(positions.size());
   for (const std::size_t position : positions) taken.push_back(profile.workspace.poses[position]);
   return testing::sceneOf(profile, obstacles, {patch}, taken)->history();
 }

@@ -16,6 +16,7 @@ std::vector<Pose> aboutZ(int count, double step) {
   Pose first = Pose::Identity();
   first.translation() = Vec3(200, 0, 40);
   std::vector<Pose> poses;
+  poses.reserve(static_cast<std::size_t>(count));
   for (int k = 0; k < count; ++k) poses.push_back(turn(k * step) * first);
   return poses;
 }

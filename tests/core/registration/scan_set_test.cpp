@@ -18,6 +18,7 @@ std::vector<View> ballScans() {
   const auto profile = testing::makeProfile(0.05, 90, 90);
   const Mesh ball = testing::makeBall();
   std::vector<View> views;
+  views.reserve(5);
   for (int k = 0; k < 5; ++k) views.push_back(testing::scanFrom(ball, profile, 9 * k, static_cast<unsigned>(k + 1)));
   return views;
 }
@@ -30,6 +31,7 @@ View boxScan(int position) {
 
 std::vector<Pose> posesOf(const std::vector<View>& views) {
   std::vector<Pose> poses;
+  poses.reserve(views.size());
   for (const View& view : views) poses.push_back(view.T_object_scanner);
   return poses;
 }

@@ -17,6 +17,7 @@ std::vector<RangeImage> someScans(int count) {
   const auto profile = testing::smallProfile();
   const Rig rig = testing::simulation(testing::smallObject(), profile);
   std::vector<RangeImage> scans;
+  scans.reserve(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i) scans.push_back(scanFrom(rig, i, Progress()));
   return scans;
 }

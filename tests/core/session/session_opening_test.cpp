@@ -28,7 +28,8 @@ TEST_F(EarlierVersions, ADamagedRowIsNamedAndLosesNothingElse) {
                             {"UPDATE step SET settings = '{}' WHERE id = 6", LossKind::RowDamaged, "step", 6},
                             {"UPDATE step SET command = 'x' WHERE id = 6", LossKind::RowDamaged, "step", 6},
                             {"UPDATE plan SET summary = '[' WHERE step = 6", LossKind::PlanDamaged, "", 6}};
-  for (const auto& [sql, kind, table, number] : damages) {
+  for (const Damage& damage : damages) {
+    const char* sql = damage.sql;
     for (const SessionAccess access : {SessionAccess::Read, SessionAccess::Write}) {
       const testing::TemporaryFolder folder;
       const std::string path = folder.write("ended.vantage", bytesOf(earlierSession("schema_2_ended")));
@@ -44,10 +45,11 @@ TEST_F(EarlierVersions, ADamagedRowIsNamedAndLosesNothingElse) {
       for (std::size_t i = 0; i < session.history().size(); ++i) static_cast<void>(session.state(i));
       const std::vector<Loss> losses = session.losses();
       EXPECT_TRUE(std::any_of(losses.begin(), losses.end(), [&](const Loss& loss) {
-        return loss.kind == kind && loss.name == table && loss.number == number && !loss.error.empty();
+        return loss.kind == damage.kind && loss.name == damage.table && loss.number == damage.number &&
+               !loss.error.empty();
       })) << sql;
       // A plan is read when it is asked for.
-      if (access == SessionAccess::Write && kind != LossKind::PlanDamaged) {
+      if (access == SessionAccess::Write && damage.kind != LossKind::PlanDamaged) {
         EXPECT_EQ(bytesOf(path + ".damaged-1"), damaged) << sql;
       }
     }
