@@ -35,7 +35,7 @@ QString roleText(PositionRole role) {
 QString planVerdict(const Explanation& why, bool planHolds) {
   switch (why.constraint) {
     case Constraint::Chosen:
-      if (why.tableAlone)
+      if (why.tableAlone && planHolds)
         return Text::tr(
             "It shows the most unseen surface. Nothing that is left overlaps the model enough to register with it: the "
             "table alone will say where this scan belongs.");
