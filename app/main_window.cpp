@@ -133,7 +133,7 @@ void MainWindow::addSessionMenu() {
   session.setToolTipsVisible(true);
   open_ = addGuarded(session, tr("&Open…"), QKeySequence::Open, [this] { openSession(); });
   close_ = addGuarded(session, tr("&Close"), QKeySequence::Close, [this] {
-    if (const QString why = controller_.whyNotClose(); !why.isEmpty()) return say(why);
+    if (const QString why = controller_.permissions().whyNotClose(); !why.isEmpty()) return say(why);
     controller_.close();
     wizard_->goTo(0);
   });
@@ -197,13 +197,13 @@ void MainWindow::connectController() {
 }
 
 void MainWindow::refreshActions() {
-  allow(*undo_, controller_.whyNotUndo());
-  allow(*redo_, controller_.whyNotRedo());
-  allow(*run_, controller_.whyNotRun());
-  allow(*step_, controller_.whyNotScan());
+  allow(*undo_, controller_.permissions().whyNotUndo());
+  allow(*redo_, controller_.permissions().whyNotRedo());
+  allow(*run_, controller_.permissions().whyNotRun());
+  allow(*step_, controller_.permissions().whyNotScan());
   allow(*pause_, controller_.activity() == Activity::Running ? QString() : tr("Nothing runs that could pause."));
   allow(*stop_, controller_.idle() ? tr("Nothing runs that could be stopped.") : QString());
-  allow(*close_, controller_.whyNotClose());
+  allow(*close_, controller_.permissions().whyNotClose());
   allow(*open_, controller_.idle() ? QString() : tr("Something else is under way."));
 }
 
@@ -223,10 +223,10 @@ void MainWindow::say(const QString& why) {
 }
 
 void MainWindow::openSession() {
-  if (!controller_.idle()) return say(tr("Something else is under way."));
+  if (const QString why = controller_.permissions().whyNotOpen(); !why.isEmpty()) return say(why);
   const QString path = QFileDialog::getOpenFileName(this, tr("Open a session"), {}, tr("Sessions (*.vantage)"));
   if (path.isEmpty()) return;
-  controller_.close();
+  if (controller_.hasSession()) controller_.close();
   controller_.open(path);
 }
 

@@ -8,7 +8,6 @@
 #include "io/atomic_file.h"
 #include "io/mesh_writer.h"
 #include "io/output_file.h"
-#include "refusal_text.h"
 #include "report/loss_wording.h"
 #include "session_start.h"
 #include "wording.h"
@@ -80,7 +79,7 @@ void SessionController::prepare() {
 }
 
 void SessionController::startTestTurn() {
-  if (!allowed(whyNotTestTurn())) return;
+  if (!allowed(permissions().whyNotTestTurn())) return;
   const int first = setUp_->choice.settings.firstView;
   const auto positions = static_cast<int>(setUp_->profile->workspace.size());
   // A twelfth of a turn: far enough to measure, near enough to overlap.
@@ -111,7 +110,7 @@ void SessionController::adopt(const SessionPointer& session, const SharedSetUp& 
 }
 
 void SessionController::open(const QString& path) {
-  if (!allowed(busyOr({}))) return;
+  if (!allowed(permissions().whyNotOpen())) return;
   struct Opened {
     OpenedSession opened;
     Publication publication;
@@ -130,7 +129,7 @@ void SessionController::open(const QString& path) {
 }
 
 void SessionController::close() {
-  if (!allowed(busyOr({}))) return;
+  if (!allowed(permissions().whyNotClose())) return;
   session_.reset();
   now_.reset();
   shown_.reset();
@@ -206,69 +205,19 @@ void SessionController::scanInBackground(bool untilTheEnd) {
       });
 }
 
-QString SessionController::busyOr(const std::optional<Refusal>& refusal) const {
-  if (!idle()) return tr("Something else is under way.");
-  return refusal ? refusalText(*refusal) : QString();
+Permissions SessionController::permissions() const {
+  return Permissions({.busy = !idle(),
+                      .sessionOpen = hasSession(),
+                      .mode = mode(),
+                      .setUp = setUp_,
+                      .now = now_,
+                      .somethingBefore = cursor_ > 0,
+                      .somethingUndone = cursor_ + 1 < static_cast<int>(moments_.size())});
 }
 
 bool SessionController::allowed(const QString& whyNot) {
   if (!whyNot.isEmpty()) emit refused(whyNot);
   return whyNot.isEmpty();
-}
-
-// An acquisition that the operator ended is opened again by scanning on.
-std::optional<Refusal> SessionController::refusalOfScan() const {
-  if (!now_) return {};
-  AcquisitionState open = *now_;
-  if (open.termination == Termination::EndedByOperator) open.termination = Termination::Running;
-  return vantage::mayScan(open);
-}
-
-QString SessionController::whyNotScan() const {
-  if (const QString why = busyOr(refusalOfScan()); !why.isEmpty()) return why;
-  return whyNoDevices();
-}
-
-QString SessionController::whyNoDevices() const {
-  if (!setUp_) return tr("Scanner and object are not read yet.");
-  if (setUp_->devices) return {};
-  if (!setUp_->notes.empty())
-    return tr("The simulated scanner has nothing to look at: %1").arg(QString::fromStdString(setUp_->notes));
-  if (session_) return tr("The scans of this session were recorded elsewhere: no scanner belongs to it.");
-  return tr("The simulated scanner needs an object: choose one.");
-}
-
-QString SessionController::whyNotRun() const {
-  if (mode() == Mode::Assisted) return tr("You turn the table yourself: scan one view at a time, or choose automatic.");
-  return whyNotScan();
-}
-
-QString SessionController::whyNotTestTurn() const {
-  if (!idle()) return busyOr({});
-  if (const QString why = whyNoDevices(); !why.isEmpty()) return why;
-  return setUp_->profile->workspace.steps > 1 ? QString() : tr("This scanner has no turntable.");
-}
-
-QString SessionController::whyNot(const Command& command) const {
-  if (!session_ || !now_) return tr("There is no session yet: it begins with the first scan.");
-  return busyOr(mayDo(*now_, command));
-}
-
-QString SessionController::whyNotUndo() const {
-  return busyOr(cursor_ > 0 ? std::nullopt : std::optional(Refusal{RefusalReason::NothingToUndo, {}}));
-}
-
-QString SessionController::whyNotRedo() const {
-  const bool can = cursor_ + 1 < static_cast<int>(moments_.size());
-  return busyOr(can ? std::nullopt : std::optional(Refusal{RefusalReason::NothingToRedo, {}}));
-}
-
-QString SessionController::whyNotExport() const {
-  return busyOr(now_ && now_->model ? std::nullopt : std::optional(Refusal{RefusalReason::NothingScanned, {}}));
-}
-
-QString SessionController::whyNotClose() const {
-  return session_ ? busyOr({}) : tr("No session is open.");
 }
 
 void SessionController::setMode(Mode mode) {
@@ -279,11 +228,11 @@ void SessionController::setMode(Mode mode) {
 }
 
 void SessionController::run() {
-  if (allowed(whyNotRun())) scanInBackground(true);
+  if (allowed(permissions().whyNotRun())) scanInBackground(true);
 }
 
 void SessionController::step() {
-  if (allowed(whyNotScan())) scanInBackground(false);
+  if (allowed(permissions().whyNotScan())) scanInBackground(false);
 }
 
 void SessionController::pause() {
@@ -306,7 +255,7 @@ void SessionController::stop() {
 
 // A command that needs no scan: carried out, written, shown.
 void SessionController::change(const Command& command) {
-  if (!allowed(whyNot(command))) return;
+  if (!allowed(permissions().whyNot(command))) return;
   start<Publication>(
       Activity::Changing, tr("Changing the session"),
       [session = session_, setUp = setUp_, command](const Progress& progress) {
@@ -392,11 +341,11 @@ void SessionController::move(bool backward) {
 }
 
 void SessionController::undo() {
-  if (allowed(whyNotUndo())) move(true);
+  if (allowed(permissions().whyNotUndo())) move(true);
 }
 
 void SessionController::redo() {
-  if (allowed(whyNotRedo())) move(false);
+  if (allowed(permissions().whyNotRedo())) move(false);
 }
 
 void SessionController::showMoment(int index) {
@@ -424,7 +373,7 @@ std::vector<std::string> SessionController::filesInUse() const {
 }
 
 void SessionController::exportModel(const QString& path) {
-  if (!allowed(whyNotExport())) return;
+  if (!allowed(permissions().whyNotExport())) return;
   start<bool>(
       Activity::Writing, tr("Writing %1").arg(path),
       [state = now_, path = path.toStdString(), inputs = filesInUse()](const Progress& progress) {
@@ -436,7 +385,7 @@ void SessionController::exportModel(const QString& path) {
 }
 
 void SessionController::writeReport(const QString& path, ReportParts parts) {
-  if (!allowed(whyNotExport())) return;
+  if (!allowed(permissions().whyNotExport())) return;
   start<bool>(
       Activity::Writing, tr("Writing %1").arg(path),
       [state = now_, path = path.toStdString(), parts = std::move(parts),

@@ -14,6 +14,7 @@
 #include "devices/device_factory.h"
 #include "job_runner.h"
 #include "moments.h"
+#include "permissions.h"
 #include "planning/explanation.h"
 #include "report/html_report.h"
 #include "session/session.h"
@@ -21,8 +22,6 @@
 #include "turn_advice.h"
 
 namespace vantage {
-
-using SharedState = std::shared_ptr<const AcquisitionState>;
 
 /// What the controller is busy with.
 enum class Activity { Idle, Preparing, Testing, Opening, Running, Pausing, Stopping, Changing, Writing };
@@ -61,18 +60,8 @@ class SessionController final : public QObject {
   [[nodiscard]] Mode mode() const { return now_ ? now_->mode : mode_; }
   void setMode(Mode mode);
 
-  /// Why something cannot be done now, as a sentence for the operator; empty when it can. What is called all the same
-  /// does nothing and says why (see refused).
-  [[nodiscard]] QString whyNotRun() const;
-  [[nodiscard]] QString whyNotScan() const;
-  [[nodiscard]] QString whyNotTestTurn() const;
-  /// Why the set-up has nothing to scan with, whatever else is under way.
-  [[nodiscard]] QString whyNoDevices() const;
-  [[nodiscard]] QString whyNot(const Command& command) const;
-  [[nodiscard]] QString whyNotUndo() const;
-  [[nodiscard]] QString whyNotRedo() const;
-  [[nodiscard]] QString whyNotExport() const;
-  [[nodiscard]] QString whyNotClose() const;
+  /// What may be done now. What is called all the same does nothing and says why (see refused).
+  [[nodiscard]] Permissions permissions() const;
 
   /// Scans until nothing is left to see. Begins the session when there is none, opens it again when the operator ended
   /// it.
@@ -153,8 +142,6 @@ class SessionController final : public QObject {
   void start(Activity activity, const QString& title, std::function<T(const Progress&)> process,
              std::function<void(T)> done);
   void scanInBackground(bool untilTheEnd);
-  [[nodiscard]] std::optional<Refusal> refusalOfScan() const;
-  [[nodiscard]] QString busyOr(const std::optional<Refusal>& refusal) const;
   /// Whether there is nothing to say against; what there is, is said.
   bool allowed(const QString& whyNot);
   void change(const Command& command);

@@ -120,8 +120,8 @@ QString AcquirePage::whatNext() const {
   if (!complete())
     return assisted() ? tr("You turn the table as the dial says; after each scan the best next view is shown.")
                       : tr("Run scans from one position after the other, each chosen by what is still unseen.");
-  return controller().whyNotScan().isEmpty() ? tr("Go on scanning, or look at what there is so far.")
-                                             : tr("The review shows what is covered and what is left.");
+  return controller().permissions().whyNotScan().isEmpty() ? tr("Go on scanning, or look at what there is so far.")
+                                                           : tr("The review shows what is covered and what is left.");
 }
 
 bool AcquirePage::complete() const {
@@ -139,14 +139,14 @@ void AcquirePage::refresh() {
   for (QPushButton* button : {run_, step_, pause_}) button->setVisible(!assisted());
   scan_->setVisible(assisted());
   run_->setText(complete() ? tr("&Go on") : tr("&Run"));
-  allow(*run_, controller().whyNotRun());
-  allow(*step_, controller().whyNotScan());
-  allow(*scan_, controller().whyNotScan());
+  allow(*run_, controller().permissions().whyNotRun());
+  allow(*step_, controller().permissions().whyNotScan());
+  allow(*scan_, controller().permissions().whyNotScan());
   allow(*pause_, controller().activity() == Activity::Running ? QString() : tr("Nothing runs that could pause."));
   const bool stoppable = !controller().idle() && controller().activity() != Activity::Stopping;
   allow(*stop_, stoppable ? QString() : tr("Nothing runs that could be stopped."));
   more_->setVisible(now && now->termination == Termination::MaxViews);
-  allow(*end_, controller().whyNot(Finish{Termination::EndedByOperator}));
+  allow(*end_, controller().permissions().whyNot(Finish{Termination::EndedByOperator}));
   refreshFigures();
   emit changed();
 }

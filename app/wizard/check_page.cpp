@@ -69,11 +69,11 @@ void CheckPage::refresh() {
   figures_->clear();
   const bool outside = setUp && setUp->object && !setUp->object->insideVolume;
   fit_->setVisible(outside && !controller().hasSession());
-  allow(*turn_, controller().whyNotTestTurn());
+  allow(*turn_, controller().permissions().whyNotTestTurn());
   if (!setUp) {
     verdict_->setText(controller().activity() == Activity::Preparing ? tr("Reading…") : tr("Nothing is chosen yet."));
   } else if (!setUp->object) {
-    const QString why = controller().whyNoDevices();
+    const QString why = controller().permissions().whyNoDevices();
     verdict_->setText(why.isEmpty() ? tr("What stands before the scanner is seen by its first scan.") : why);
   } else {
     verdict_->setText(outside ? tr("The object reaches out of the viewing volume: what is outside cannot be scanned.")

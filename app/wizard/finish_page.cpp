@@ -79,7 +79,7 @@ void FinishPage::leaving() {
 }
 
 void FinishPage::refresh() {
-  const QString whyNot = controller().whyNotExport();
+  const QString whyNot = controller().permissions().whyNotExport();
   for (QPushButton* button : exports_) allow(*button, whyNot);
   place_->setText(tr("Into %1").arg(QDir::toNativeSeparators(inFolder({}))));
   emit changed();

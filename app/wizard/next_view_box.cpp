@@ -93,11 +93,11 @@ void NextViewBox::refresh() {
   instruction_->setVisible(assisted_ && next.has_value());
   if (advice) dial_->show(advice->from, advice->to, advice->turn.angle);
   instruction_->setText(next ? instruction(*next) : QString());
-  const QString whyNot = controller_.whyNot(ChoosePosition{other_->value()});
+  const QString whyNot = controller_.permissions().whyNot(ChoosePosition{other_->value()});
   allow(*other_, whyNot);
   allow(*take_, whyNot);
   const bool chosen = controller_.now() && controller_.now()->chosenPosition;
-  allow(*back_, chosen ? controller_.whyNot(ChoosePosition{}) : tr("No other position was taken."));
+  allow(*back_, chosen ? controller_.permissions().whyNot(ChoosePosition{}) : tr("No other position was taken."));
   refreshCost();
 }
 
@@ -108,7 +108,7 @@ void NextViewBox::refreshCost() {
 // What another position than the proposed one costs.
 QString NextViewBox::cost(int position) const {
   const SharedState& now = controller_.now();
-  if (now && !now->profile) return controller_.whyNot(ChoosePosition{position});
+  if (now && !now->profile) return controller_.permissions().whyNot(ChoosePosition{position});
   const auto other = controller_.explained(position);
   if (!other) return tr("After the first scan every position is compared here.");
   const std::optional<int> proposed = controller_.proposedPosition();

@@ -73,8 +73,8 @@ ReviewPage::ReviewPage(SessionController& controller, QWidget* parent)
     const bool leftOut = item != nullptr && item->data(kLeftOutRole).toBool();
     const auto scan = item == nullptr ? 0 : static_cast<std::int64_t>(item->data(kScanRole).toLongLong());
     const QString whyNot = item == nullptr ? tr("Choose a scan in the list first.")
-                           : leftOut       ? this->controller().whyNot(TakeBackView{scan})
-                                           : this->controller().whyNot(LeaveOutView{scan});
+                           : leftOut       ? this->controller().permissions().whyNot(TakeBackView{scan})
+                                           : this->controller().permissions().whyNot(LeaveOutView{scan});
     allow(*toggle_, whyNot);
     toggle_->setText(leftOut ? tr("&Take this view back") : tr("&Leave this view out"));
   });

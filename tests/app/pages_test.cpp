@@ -280,7 +280,7 @@ TEST_F(Told, TheKeyThatRunsSaysWhyItDoesNotWhileTheOperatorTurnsTheTable) {
   desk_.controller().setMode(Mode::Assisted);
   press(QKeySequence(Qt::Key_F5));
   EXPECT_EQ(countScans(*desk_.controller().now(), ScanStatus::In), 1U);
-  EXPECT_EQ(desk_.window().statusBar()->currentMessage(), desk_.controller().whyNotRun());
+  EXPECT_EQ(desk_.window().statusBar()->currentMessage(), desk_.controller().permissions().whyNotRun());
   press(QKeySequence(Qt::Key_F6));
   EXPECT_EQ(countScans(*desk_.controller().now(), ScanStatus::In), 2U);
 }

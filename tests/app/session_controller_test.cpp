@@ -144,7 +144,7 @@ TEST_F(SessionControllerTest, UndoAndRedoMoveThroughTheScans) {
   controller_->redo();
   EXPECT_EQ(countScans(*controller_->now(), ScanStatus::In), 2U);
   EXPECT_EQ(controller_->now()->scans.back().station().position, two->scans.back().station().position);
-  EXPECT_FALSE(controller_->whyNotRedo().isEmpty());
+  EXPECT_FALSE(controller_->permissions().whyNotRedo().isEmpty());
 }
 
 TEST_F(SessionControllerTest, TheOperatorMayChooseAnotherPosition) {
@@ -229,25 +229,15 @@ TEST_F(SessionControllerTest, ASessionOfRecordedScansHasNothingToScanWithAndSays
     controller_->open(session);
     ASSERT_TRUE(controller_->hasSession());
     EXPECT_FALSE(controller_->setUp()->devices);
-    EXPECT_TRUE(controller_->whyNotScan().contains("recorded")) << controller_->whyNotScan().toStdString();
-    EXPECT_TRUE(controller_->whyNotTestTurn().contains("recorded"));
-    EXPECT_FALSE(controller_->whyNotRun().isEmpty());
+    EXPECT_TRUE(controller_->permissions().whyNotScan().contains("recorded"))
+        << controller_->permissions().whyNotScan().toStdString();
+    EXPECT_TRUE(controller_->permissions().whyNotTestTurn().contains("recorded"));
+    EXPECT_FALSE(controller_->permissions().whyNotRun().isEmpty());
     controller_->step();
     controller_->startTestTurn();
     EXPECT_FALSE(controller_->testTurnResult());
     EXPECT_TRUE(controller_->now()->scans.empty());
   }
-}
-
-TEST_F(SessionControllerTest, TheSimulatedScannerAsksForAnObject) {
-  SetUpChoice bare = choice();
-  bare.settings.simulation.object.clear();
-  controller_->setChoice(bare);
-  controller_->prepare();
-  ASSERT_TRUE(controller_->setUp());
-  EXPECT_TRUE(controller_->whyNotScan().contains("needs an object")) << controller_->whyNotScan().toStdString();
-  prepare();
-  EXPECT_TRUE(controller_->whyNotScan().isEmpty()) << controller_->whyNotScan().toStdString();
 }
 
 TEST_F(SessionControllerTest, ASessionThatNoWindowHasHadOpensWhereItsStateLeads) {
@@ -331,7 +321,7 @@ TEST_F(SessionControllerTest, AssistedNothingRunsByItself) {
   controller_->run();
   EXPECT_FALSE(controller_->hasSession());
   ASSERT_EQ(refused.count(), 1);
-  EXPECT_EQ(refused[0][0].toString(), controller_->whyNotRun());
+  EXPECT_EQ(refused[0][0].toString(), controller_->permissions().whyNotRun());
   controller_->step();
   EXPECT_EQ(countScans(*controller_->now(), ScanStatus::In), 1U);
 }
@@ -369,7 +359,7 @@ TEST_F(SessionControllerTest, GoesOnAfterAnEndThatTheOperatorWanted) {
   controller_->endHere();
   EXPECT_FALSE(controller_->nextPosition());
   EXPECT_EQ(controller_->furtherPosition(), proposed);
-  EXPECT_EQ(controller_->whyNotRun(), "");
+  EXPECT_EQ(controller_->permissions().whyNotRun(), "");
   controller_->step();
   EXPECT_EQ(controller_->now()->scans.back().station().position, proposed);
 }
@@ -379,7 +369,7 @@ TEST_F(SessionControllerTest, GoesOnBeyondTheGreatestNumberOfViews) {
   controller_->run();
   ASSERT_EQ(controller_->now()->termination, Termination::MaxViews);
   EXPECT_TRUE(endingText(*controller_->now()).contains("would still show"));
-  EXPECT_TRUE(controller_->whyNotRun().contains("Allow more"));
+  EXPECT_TRUE(controller_->permissions().whyNotRun().contains("Allow more"));
   const auto further = controller_->furtherPosition();
   controller_->allowMoreViews(1);
   EXPECT_EQ(controller_->nextPosition(), further);
@@ -434,8 +424,8 @@ TEST_F(SessionControllerTest, RecordedScansAreShownAsWhatTheyAre) {
   EXPECT_FALSE(controller_->nextPosition());
   EXPECT_FALSE(controller_->furtherPosition());
   EXPECT_FALSE(controller_->tablePosition());
-  EXPECT_TRUE(controller_->whyNot(ChoosePosition{0}).startsWith("These are recorded scans"));
-  EXPECT_FALSE(controller_->whyNotScan().isEmpty());
+  EXPECT_TRUE(controller_->permissions().whyNot(ChoosePosition{0}).startsWith("These are recorded scans"));
+  EXPECT_FALSE(controller_->permissions().whyNotScan().isEmpty());
   EXPECT_TRUE(objectiveChartData(*makeSnapshot(controller_->now())).recorded);
   for (const KeptScan& scan : controller_->now()->scans) EXPECT_FALSE(areasKnown(scan.record));
 }

@@ -1,0 +1,79 @@
+#include "permissions.h"
+
+#include "acquisition/may_do.h"
+#include "refusal_text.h"
+
+namespace vantage {
+namespace {
+
+std::optional<Refusal> unless(bool possible, RefusalReason reason) {
+  return possible ? std::nullopt : std::optional(Refusal{reason, {}});
+}
+
+// An acquisition that the operator ended is opened again by scanning on.
+std::optional<Refusal> refusalOfScan(const SharedState& now) {
+  if (!now) return {};
+  AcquisitionState open = *now;
+  if (open.termination == Termination::EndedByOperator) open.termination = Termination::Running;
+  return mayScan(open);
+}
+
+}  // namespace
+
+QString Permissions::busyOr(const std::optional<Refusal>& refusal) const {
+  if (at_.busy) return tr("Something else is under way.");
+  return refusal ? refusalText(*refusal) : QString();
+}
+
+QString Permissions::whyNotScan() const {
+  if (const QString why = busyOr(refusalOfScan(at_.now)); !why.isEmpty()) return why;
+  return whyNoDevices();
+}
+
+QString Permissions::whyNoDevices() const {
+  if (!at_.setUp) return tr("Scanner and object are not read yet.");
+  if (at_.setUp->devices) return {};
+  if (!at_.setUp->notes.empty())
+    return tr("The simulated scanner has nothing to look at: %1").arg(QString::fromStdString(at_.setUp->notes));
+  if (at_.sessionOpen) return tr("The scans of this session were recorded elsewhere: no scanner belongs to it.");
+  return tr("The simulated scanner needs an object: choose one.");
+}
+
+QString Permissions::whyNotRun() const {
+  if (at_.mode == Mode::Assisted)
+    return tr("You turn the table yourself: scan one view at a time, or choose automatic.");
+  return whyNotScan();
+}
+
+QString Permissions::whyNotTestTurn() const {
+  if (at_.busy) return busyOr({});
+  if (const QString why = whyNoDevices(); !why.isEmpty()) return why;
+  return at_.setUp->profile->workspace.steps > 1 ? QString() : tr("This scanner has no turntable.");
+}
+
+QString Permissions::whyNot(const Command& command) const {
+  if (!at_.sessionOpen || !at_.now) return tr("There is no session yet: it begins with the first scan.");
+  return busyOr(mayDo(*at_.now, command));
+}
+
+QString Permissions::whyNotUndo() const {
+  return busyOr(unless(at_.somethingBefore, RefusalReason::NothingToUndo));
+}
+
+QString Permissions::whyNotRedo() const {
+  return busyOr(unless(at_.somethingUndone, RefusalReason::NothingToRedo));
+}
+
+QString Permissions::whyNotExport() const {
+  return busyOr(unless(at_.now && at_.now->model, RefusalReason::NothingScanned));
+}
+
+QString Permissions::whyNotOpen() const {
+  return busyOr({});
+}
+
+QString Permissions::whyNotClose() const {
+  return at_.sessionOpen ? busyOr({}) : tr("No session is open.");
+}
+
+}  // namespace vantage

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <QCoreApplication>
+#include <QString>
+#include <optional>
+
+#include "acquisition/acquisition_state.h"
+#include "acquisition/command.h"
+#include "set_up.h"
+
+namespace vantage {
+
+using SharedState = std::shared_ptr<const AcquisitionState>;
+
+/// All that decides what the operator may do at a moment.
+struct Situation {
+  bool busy = false;             ///< something is under way
+  bool sessionOpen = false;      ///< a session has begun or was opened
+  Mode mode = Mode::Automatic;   ///< who takes the next step
+  SharedSetUp setUp;             ///< nothing before it was read
+  SharedState now;               ///< nothing before the first scan
+  bool somethingBefore = false;  ///< there is a step to undo
+  bool somethingUndone = false;  ///< there is a step to redo
+};
+
+/// Why something cannot be done now, as a sentence for the operator; empty when it can.
+class Permissions {
+  Q_DECLARE_TR_FUNCTIONS(Permissions)
+
+ public:
+  explicit Permissions(Situation situation) : at_(std::move(situation)) {}
+
+  [[nodiscard]] QString whyNotRun() const;
+  [[nodiscard]] QString whyNotScan() const;
+  [[nodiscard]] QString whyNotTestTurn() const;
+  /// Why the set-up has nothing to scan with, whatever else is under way.
+  [[nodiscard]] QString whyNoDevices() const;
+  [[nodiscard]] QString whyNot(const Command& command) const;
+  [[nodiscard]] QString whyNotUndo() const;
+  [[nodiscard]] QString whyNotRedo() const;
+  [[nodiscard]] QString whyNotExport() const;
+  [[nodiscard]] QString whyNotOpen() const;
+  [[nodiscard]] QString whyNotClose() const;
+
+ private:
+  [[nodiscard]] QString busyOr(const std::optional<Refusal>& refusal) const;
+
+  Situation at_;
+};
+
+}  // namespace vantage
