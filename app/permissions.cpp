@@ -26,7 +26,7 @@ QString Permissions::busyOr(const std::optional<Refusal>& refusal) const {
 }
 
 QString Permissions::whyNotScan() const {
-  if (const QString why = busyOr(refusalOfScan(at_.now)); !why.isEmpty()) return why;
+  if (QString why = busyOr(refusalOfScan(at_.now)); !why.isEmpty()) return why;
   return whyNoDevices();
 }
 
@@ -47,7 +47,7 @@ QString Permissions::whyNotRun() const {
 
 QString Permissions::whyNotTestTurn() const {
   if (at_.busy) return busyOr({});
-  if (const QString why = whyNoDevices(); !why.isEmpty()) return why;
+  if (QString why = whyNoDevices(); !why.isEmpty()) return why;
   return at_.setUp->profile->workspace.steps > 1 ? QString() : tr("This scanner has no turntable.");
 }
 
