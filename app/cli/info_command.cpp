@@ -16,6 +16,7 @@ nlohmann::ordered_json jsonOf(const FactValue& value) {
 // What a session holds, beyond that it is one. Scans and models stay on the disk.
 void addSessionFacts(const std::string& path, CommandContext& context, FileInfo& info) {
   const Session session = openSession(path, SessionAccess::Read, context);
+  checkSession(session, context);
   const History& history = session.history();
   const StateOutline& outline = *history.current().outline;
   info.facts.emplace_back("scans", session.scanCount());
@@ -29,6 +30,8 @@ void addSessionFacts(const std::string& path, CommandContext& context, FileInfo&
   info.facts.emplace_back("object", outline.settings.simulation.object);
   if (const auto model = session.model(history.cursor()))
     info.facts.emplace_back("model_triangles", static_cast<std::int64_t>(model->mesh.triangles.size()));
+  info.facts.emplace_back("checked",
+                          std::string("every row against its sum, every step against its hash, where it has one"));
   info.facts.emplace_back("damages", static_cast<std::int64_t>(session.losses().size()));
 }
 

@@ -21,6 +21,12 @@ Session openSession(const std::string& path, SessionAccess access, CommandContex
   return session;
 }
 
+void checkSession(const Session& session, CommandContext& context) {
+  const std::size_t known = session.losses().size();
+  session.check(context.progress());
+  tellLosses(session, known, context);
+}
+
 std::shared_ptr<const AcquisitionState> readSession(const std::string& path, CommandContext& context) {
   const Session session = openSession(path, SessionAccess::Read, context);
   const std::size_t known = session.losses().size();
@@ -30,10 +36,9 @@ std::shared_ptr<const AcquisitionState> readSession(const std::string& path, Com
 }
 
 SessionModel readSessionModel(const std::string& path, CommandContext& context) {
-  const Session session = openSession(path, SessionAccess::Read, context);
-  auto model = session.model(session.history().cursor());
-  if (!model) throw InvalidInput(path + ": has no model yet, expected at least one view");
-  return {std::move(model), worldOffset(*session.history().current().outline)};
+  const auto state = readSession(path, context);
+  if (!state->model) throw InvalidInput(path + ": has no model yet, expected at least one view");
+  return {state->model, worldOffset(outlineOf(*state))};
 }
 
 }  // namespace vantage

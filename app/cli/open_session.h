@@ -10,6 +10,9 @@ namespace vantage {
 /// Opens a session and says on stderr what of it is lost.
 [[nodiscard]] Session openSession(const std::string& path, SessionAccess access, CommandContext& context);
 
+/// Reads everything in a session, and says on stderr what is not as it was written.
+void checkSession(const Session& session, CommandContext& context);
+
 /// The state at the cursor of a session, opened for reading.
 [[nodiscard]] std::shared_ptr<const AcquisitionState> readSession(const std::string& path, CommandContext& context);
 
@@ -19,7 +22,7 @@ struct SessionModel {
   Vec3 offset = Vec3::Zero();  ///< [mm]
 };
 
-/// The model at the cursor; nothing else is read.
+/// The model at the cursor.
 /// @throws InvalidInput when there is none yet
 [[nodiscard]] SessionModel readSessionModel(const std::string& path, CommandContext& context);
 

@@ -33,6 +33,10 @@ class ContentHash {
 
   [[nodiscard]] std::uint64_t value() const { return mixedBits(value_); }
 
+  /// The hash that had this value once `last` was added: every step of hashing can be undone by who knows what was
+  /// added. @pre last is shorter than 8 bytes
+  [[nodiscard]] static ContentHash before(std::uint64_t value, std::span<const std::byte> last);
+
  private:
   std::uint64_t value_ = 0x9e3779b97f4a7c15ULL;
 };

@@ -30,6 +30,17 @@ Phrase phraseOf(const Loss& loss, const std::string& path) {
       return words("%1: model %2 is of other samples; it is made again", {session, number});
     case LossKind::PlanOfOtherPositions:
       return words("%1: plan %2 is of other positions", {session, number});
+    case LossKind::StateMadeAgain:
+      return words("%1: step %2 was not as it was written; it was carried out again from its scans", {session, number});
+    case LossKind::StateUntrue:
+      return words(
+          "%1: step %2 is not as it was written: do not trust its model. Go back to a step before it, or begin "
+          "anew with its scans",
+          {session, number});
+    case LossKind::FilesLost:
+      return words("%1: %2 files of the scanner's profile are lost", {session, number});
+    case LossKind::ObjectChanged:
+      return words("%1: the object of the simulated scanner is not the one that was kept", {session});
     case LossKind::RowDamaged:
     case LossKind::ScanDamaged:
     case LossKind::PlanDamaged:

@@ -8,6 +8,7 @@
 #include <new>
 #include <utility>
 
+#include "base/content_hash.h"
 #include "base/errors.h"
 
 namespace vantage {
@@ -57,6 +58,27 @@ bool hasLog(const std::string& path) {
   std::error_code error;
   const auto size = std::filesystem::file_size(path + "-wal", error);
   return !error && size > 0;
+}
+
+// row_sum(x, ...): a number for values of SQL and their types.
+void rowSum(sqlite3_context* context, int count, sqlite3_value** values) {
+  ContentHash hash;
+  for (int i = 0; i < count; ++i) {
+    const int type = sqlite3_value_type(values[i]);
+    hash.add(type);
+    if (type == SQLITE_INTEGER) {
+      hash.add(static_cast<std::int64_t>(sqlite3_value_int64(values[i])));
+    } else if (type == SQLITE_FLOAT) {
+      hash.add(sqlite3_value_double(values[i]));
+    } else if (type != SQLITE_NULL) {
+      const auto* bytes = static_cast<const std::byte*>(sqlite3_value_blob(values[i]));
+      hash.add(std::span(bytes, static_cast<std::size_t>(sqlite3_value_bytes(values[i]))));
+    }
+  }
+  std::int64_t sum = 0;
+  const std::uint64_t value = hash.value();
+  std::memcpy(&sum, &value, sizeof sum);
+  sqlite3_result_int64(context, sum);
 }
 
 }  // namespace
@@ -185,7 +207,8 @@ int Database::openHandle(const std::string& name, int flags) {
   sqlite3_db_config(handle, SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, nullptr);
   sqlite3_db_config(handle, SQLITE_DBCONFIG_ENABLE_TRIGGER, 0, nullptr);
   sqlite3_db_config(handle, SQLITE_DBCONFIG_ENABLE_VIEW, 0, nullptr);
-  return SQLITE_OK;
+  return sqlite3_create_function_v2(handle, "row_sum", -1, SQLITE_UTF8 | SQLITE_DETERMINISTIC | SQLITE_DIRECTONLY,
+                                    nullptr, &rowSum, nullptr, nullptr, nullptr);
 }
 
 // A reader of a write-ahead log needs to write beside it. Where it cannot, a file without a log is read as it stands,

@@ -49,7 +49,8 @@ class Statement {
   std::unique_ptr<sqlite3_stmt, int (*)(sqlite3_stmt*)> statement_;
 };
 
-/// An SQLite database file (synchronous=FULL; WAL, once it is opened for writing).
+/// An SQLite database file (synchronous=FULL; WAL, once it is opened for writing). Statements may use row_sum(x, ...),
+/// a 64-bit number for values and their types.
 class Database {
  public:
   enum class Mode { Create, Write, Read };

@@ -22,8 +22,12 @@ enum class LossKind : std::uint8_t {
   ModelOfOtherSamples,   ///< number: the step whose model is made again
   PlanDamaged,           ///< number: the step of the plan; error
   PlanOfOtherPositions,  ///< number: the step of the plan
+  StateMadeAgain,        ///< number: the step that was not as it was written, and was carried out again
+  StateUntrue,           ///< number: the step that is not as it was written, and cannot be made again
+  FilesLost,             ///< number: how many of the profile's files are missing
+  ObjectChanged,         ///< the object of the simulated scanner is not the one that was kept
 };
-inline constexpr LossKind kLastLossKind = LossKind::PlanOfOtherPositions;
+inline constexpr LossKind kLastLossKind = LossKind::ObjectChanged;
 
 /// One damage of a session, without words: those are in report/loss_wording.h.
 struct Loss {

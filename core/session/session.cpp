@@ -16,6 +16,7 @@
 #include "io/placement.h"
 #include "session/model_writer.h"
 #include "session/session_blobs.h"
+#include "session/session_check.h"
 #include "session/session_json.h"
 #include "session/session_lock.h"
 #include "session/session_opening.h"
@@ -65,12 +66,19 @@ struct Session::Parts {
   void restore(std::shared_ptr<const ScannerProfile> profile = nullptr) {
     if (!profile) profile = SessionStates::parsed(store.profileSource());
     states.setProfile(std::move(profile));
+    for (const char* table : {"meta", "file"})
+      for (const Loss& loss : store.changedRows(table)) lose(loss);
+    for (const Loss& loss : store.untrue()) lose(loss);
     StoredHistory stored = store.history();
-    losses.insert(losses.end(), stored.losses.begin(), stored.losses.end());
+    for (const Loss& loss : stored.losses) lose(loss);
     states.dropImpossible(stored);
     if (stored.entries.empty())
       throw InvalidInput(path + ": no step of the session is readable; its scans may still be in the table scan");
     history.restore(std::move(stored.entries), stored.cursor);
+  }
+
+  void lose(const Loss& loss) {
+    if (std::find(losses.begin(), losses.end(), loss) == losses.end()) losses.push_back(loss);
   }
 
   void mustBeWritable() const {
@@ -215,6 +223,8 @@ Session Session::open(const std::string& path, SessionAccess access, const Progr
   progress.checkpoint(0.5);
   parts->losses = std::move(losses);
   parts->restore();
+  // What is to be gone on with is held against its hash at once.
+  if (access == SessionAccess::Write) static_cast<void>(parts->history.state(parts->history.cursor()));
   progress.checkpoint(1.0);
   return Session(std::move(parts));
 }
@@ -226,6 +236,17 @@ const std::string& Session::path() const {
 std::vector<Loss> Session::losses() const {
   const std::lock_guard guard(parts_->mutex);
   return parts_->losses;
+}
+
+void Session::check(const Progress& progress) const {
+  const std::lock_guard guard(parts_->mutex);
+  for (const Loss& loss : checkRows(parts_->store, progress.part(0.0, 0.5))) parts_->lose(loss);
+  const std::size_t steps = parts_->history.size();
+  std::shared_ptr<const AcquisitionState> before;  // what states share is read once
+  for (std::size_t i = 0; i < steps; ++i) {
+    progress.checkpoint(0.5 + 0.5 * static_cast<double>(i) / static_cast<double>(steps));
+    before = parts_->history.state(i);
+  }
 }
 
 const History& Session::history() const {

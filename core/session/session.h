@@ -48,6 +48,10 @@ class Session final : public Journal {
   [[nodiscard]] const std::string& path() const;
   /// Everything that was damaged, and the copy that was made of it. What is read later may add to it.
   [[nodiscard]] std::vector<Loss> losses() const;
+  /// Reads everything: every row, and the states after all steps that hold. What is not as it was written is in
+  /// losses().
+  /// @throws Cancelled
+  void check(const Progress& progress = {}) const;
 
   [[nodiscard]] const History& history() const override;
   /// The state at the cursor, and that after any entry of the history.

@@ -20,9 +20,10 @@ constexpr int kTight = 1;
 constexpr int kQuick = -3;
 // No column of a session grows larger than this when it is unpacked.
 constexpr unsigned long long kMaxUnpacked = 1ULL << 30;
-
-// The best that the format can do: what claims to be larger than this many times its bytes lies.
-constexpr unsigned long long kMaxRatio = 40000;
+// What claims to be larger than this many times its bytes lies: coordinates and indices are never that regular. Ranges
+// may be (a wall, or nothing seen), but of them it is known how many there are.
+constexpr unsigned long long kMaxRatio = 500;
+constexpr std::size_t kCountBytes = sizeof(std::uint64_t);
 
 // With a checksum, so that no flipped bit goes unnoticed.
 std::vector<std::byte> compressed(const std::vector<std::byte>& bytes, int level) {
@@ -37,15 +38,33 @@ std::vector<std::byte> compressed(const std::vector<std::byte>& bytes, int level
   return packed;
 }
 
-std::vector<std::byte> decompressed(std::span<const std::byte> packed, const std::string& what) {
+unsigned long long unpackedSize(std::span<const std::byte> packed, const std::string& what) {
   const unsigned long long size = ZSTD_getFrameContentSize(packed.data(), packed.size());
-  if (size == ZSTD_CONTENTSIZE_ERROR || size == ZSTD_CONTENTSIZE_UNKNOWN || size > kMaxUnpacked ||
-      size > kMaxRatio * packed.size())
+  if (size == ZSTD_CONTENTSIZE_ERROR || size == ZSTD_CONTENTSIZE_UNKNOWN)
     throw InvalidInput(what + " is damaged: it is not a compressed block");
+  return size;
+}
+
+std::vector<std::byte> decompressed(std::span<const std::byte> packed, unsigned long long size,
+                                    const std::string& what) {
   std::vector<std::byte> bytes(size);
   const std::size_t got = ZSTD_decompress(bytes.data(), bytes.size(), packed.data(), packed.size());
   if (ZSTD_isError(got) != 0 || got != size) throw InvalidInput(what + " is damaged: it cannot be decompressed");
   return bytes;
+}
+
+std::vector<std::byte> decompressed(std::span<const std::byte> packed, const std::string& what) {
+  const unsigned long long size = unpackedSize(packed, what);
+  if (size > kMaxUnpacked || size > kMaxRatio * (packed.size() + 1))
+    throw InvalidInput(what + " is damaged: it claims to unpack to " + std::to_string(size) + " bytes");
+  return decompressed(packed, size, what);
+}
+
+void mustUnpackTo(unsigned long long expected, std::span<const std::byte> packed, const std::string& what) {
+  const unsigned long long size = unpackedSize(packed, what);
+  if (size != expected)
+    throw InvalidInput(what + " is damaged: it unpacks to " + std::to_string(size) + " bytes, expected " +
+                       std::to_string(expected));
 }
 
 std::vector<Vec3> unpacked(const std::vector<std::array<double, 3>>& points) {
@@ -141,8 +160,10 @@ std::vector<std::byte> rangeBlob(const std::vector<float>& range) {
   return compressed(writer.bytes(), kTight);
 }
 
-std::vector<float> rangeFromBlob(std::span<const std::byte> blob, const std::string& what) {
-  const auto bytes = decompressed(blob, what);
+std::vector<float> rangeFromBlob(std::span<const std::byte> blob, std::size_t rays, const std::string& what) {
+  const unsigned long long size = kCountBytes + rays * sizeof(float);
+  mustUnpackTo(size, blob, what);
+  const auto bytes = decompressed(blob, size, what);
   BlobReader reader(bytes, what);
   auto range = reader.list<float>();
   reader.finish();
@@ -165,6 +186,9 @@ std::vector<std::byte> raysBlob(const RayGrid& rays) {
 
 RayGrid raysFromBlob(int rows, int columns, int receiversPerRay, std::span<const std::byte> blob,
                      const std::string& what) {
+  const auto count = static_cast<unsigned long long>(rows) * static_cast<unsigned long long>(columns);
+  constexpr unsigned long long kPoint = 3 * sizeof(double);
+  mustUnpackTo(3 * kCountBytes + count * kPoint * (2 + static_cast<unsigned long long>(receiversPerRay)), blob, what);
   const auto bytes = decompressed(blob, what);
   BlobReader reader(bytes, what);
   const auto origins = unpacked(reader.list<std::array<double, 3>>());

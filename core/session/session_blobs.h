@@ -16,7 +16,9 @@ namespace vantage {
 [[nodiscard]] Pose poseFromBlob(std::span<const std::byte> blob, const std::string& what);
 
 [[nodiscard]] std::vector<std::byte> rangeBlob(const std::vector<float>& range);
-[[nodiscard]] std::vector<float> rangeFromBlob(std::span<const std::byte> blob, const std::string& what);
+/// @param rays of the scan: what unpacks to another number of ranges is refused without unpacking it
+[[nodiscard]] std::vector<float> rangeFromBlob(std::span<const std::byte> blob, std::size_t rays,
+                                               const std::string& what);
 
 [[nodiscard]] std::vector<std::byte> raysBlob(const RayGrid& rays);
 [[nodiscard]] RayGrid raysFromBlob(int rows, int columns, int receiversPerRay, std::span<const std::byte> blob,

@@ -208,6 +208,21 @@ void migrateFrom2(Database& database) {
   database.run("UPDATE meta SET value = '3' WHERE key = 'schema'");
 }
 
+// Version 3 had no sums. The texts that make the tables become those of new ones.
+void migrateFrom3(Database& database) {
+  for (const std::string& table : sessionTables(4)) {
+    database.run("ALTER TABLE " + table + " ADD COLUMN sum INTEGER NOT NULL DEFAULT 0");
+    if (table != "meta") addSums(database, table);
+  }
+  Statement files = database.prepare("SELECT count(*) FROM file");
+  files.step();
+  const std::int64_t count = files.integer(0);
+  database.prepare("INSERT OR REPLACE INTO meta(key, value) VALUES('schema', '4'), ('files', ?)")
+      .bind(1, std::string_view(std::to_string(count)))
+      .run();
+  addSums(database, "meta");
+}
+
 }  // namespace
 
 void migrateSession(Database& database) {
@@ -217,7 +232,11 @@ void migrateSession(Database& database) {
     migrateFrom1(database);
     version = 2;
   }
-  if (version == 2) migrateFrom2(database);
+  if (version == 2) {
+    migrateFrom2(database);
+    version = 3;
+  }
+  if (version == 3) migrateFrom3(database);
   transaction.commit();
 }
 

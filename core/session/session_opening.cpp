@@ -4,6 +4,8 @@
 #include <utility>
 
 #include "base/errors.h"
+#include "session/earlier_damages.h"
+#include "session/session_check.h"
 #include "session/session_migration.h"
 #include "session/session_rescue.h"
 #include "session/session_schema.h"
@@ -16,17 +18,22 @@ namespace {
 constexpr const char* kCopy = "damaged_copy";
 constexpr const char* kDamages = "damages";
 
-// How much of a sound database cannot be read.
-std::size_t countDamages(SessionStore& store) {
-  std::size_t damages = store.history().losses.size();
-  for (const std::int64_t number : store.scanNumbers()) {
-    try {
-      static_cast<void>(store.scan(number));
-    } catch (const InvalidInput&) {
-      ++damages;
-    }
+// A sound database as this version sees it, and how much of it is not as it was written.
+struct Look {
+  SessionStore store;
+  std::size_t damages;
+};
+
+Look lookAt(Database database) {
+  std::size_t damages = 0;
+  if (const int version = checkSessionTables(database); version != kSessionSchema) {
+    damages = earlierDamages(database, version).size();
+    database = database.copyInMemory();
+    migrateSession(database);
   }
-  return damages;
+  Look look{SessionStore(std::move(database)), damages};
+  look.damages += checkRows(look.store).size();
+  return look;
 }
 
 // Whether the file that is said to be a copy is one: beside the session, a session itself, and as damaged. Whatever
@@ -39,13 +46,7 @@ bool copiedBefore(SessionStore& store, const std::string& path, std::size_t dama
   std::error_code error;
   if (!fs::is_regular_file(copy, error) || fs::equivalent(copy, path, error)) return false;
   try {
-    Database database(copy.string(), Database::Mode::Read);
-    if (checkSessionTables(database) != kSessionSchema) {
-      database = database.copyInMemory();
-      migrateSession(database);
-    }
-    SessionStore copied(std::move(database));
-    return countDamages(copied) == damages;
+    return lookAt(Database(copy.string(), Database::Mode::Read)).damages >= damages;
   } catch (const Error&) {
     return false;
   }
@@ -53,8 +54,8 @@ bool copiedBefore(SessionStore& store, const std::string& path, std::size_t dama
 
 // What a session needs before it is written to.
 struct Preparation {
-  std::string copy;  ///< of a damaged session, made beside it; empty when it is sound
-  std::size_t damages = 0;
+  std::string copy;          ///< of a damaged session, made beside it; empty when it is sound
+  std::vector<Loss> untrue;  ///< steps that are not as an earlier version wrote them
 };
 
 // Looks at a session before anything is written to it. One that is damaged is copied beside itself first.
@@ -65,13 +66,12 @@ Preparation prepareForWriting(const std::string& path, std::vector<Loss>& losses
     Database database(path, Database::Mode::Read);
     const int version = checkSessionTables(database);
     sound = database.sound();
-    if (sound && version != kSessionSchema) {
-      database = database.copyInMemory();
-      migrateSession(database);
+    if (sound) {
+      preparation.untrue = earlierDamages(database, version);
+      losses = preparation.untrue;
+      Look look = lookAt(std::move(database));
+      if (look.damages == 0 || copiedBefore(look.store, path, look.damages)) return {};
     }
-    SessionStore store(std::move(database));
-    if (sound) preparation.damages = countDamages(store);
-    if (sound && (preparation.damages == 0 || copiedBefore(store, path, preparation.damages))) return {};
   }
   preparation.copy = copyBeside(path);
   losses.push_back({LossKind::Copied, {}, preparation.copy, {}});
@@ -81,10 +81,13 @@ Preparation prepareForWriting(const std::string& path, std::vector<Loss>& losses
   return preparation;
 }
 
-void rememberCopy(SessionStore& store, const Preparation& preparation) {
+// What the file itself does not tell any more.
+void remember(SessionStore& store, const Preparation& preparation) {
+  const std::size_t damages = checkRows(store).size();
   Database::Transaction transaction(store.database());
   store.setMeta(kCopy, preparation.copy);
-  store.setMeta(kDamages, std::to_string(preparation.damages));
+  store.setMeta(kDamages, std::to_string(damages));
+  store.setUntrue(preparation.untrue);
   transaction.commit();
 }
 
@@ -100,6 +103,7 @@ Database openSessionForReading(const std::string& path, std::vector<Loss>& losse
     return copy;
   }
   if (version == kSessionSchema) return database;
+  losses = earlierDamages(database, version);
   Database copy = database.copyInMemory();
   migrateSession(copy);
   return copy;
@@ -111,7 +115,7 @@ Database openSessionForWriting(const std::string& path, std::vector<Loss>& losse
   if (checkSessionTables(database) != kSessionSchema) migrateSession(database);
   if (preparation.copy.empty()) return database;
   SessionStore store(std::move(database));
-  rememberCopy(store, preparation);
+  remember(store, preparation);
   return store.takeDatabase();
 }
 

@@ -10,12 +10,8 @@ namespace {
 
 // Copies a table from one end until a page cannot be read. @return whether it came to the other end
 bool copyFrom(Database& damaged, Database& copy, const std::string& table, const char* order) {
-  const std::string key = table == "meta"                       ? "key"
-                          : table == "file"                     ? "name"
-                          : table == "plan" || table == "model" ? "step"
-                                                                : "id";
   try {
-    Statement rows = damaged.prepare("SELECT * FROM " + table + " ORDER BY " + key + " " + order);
+    Statement rows = damaged.prepare("SELECT * FROM " + table + " ORDER BY " + keyOf(table) + " " + order);
     std::string places = "?";
     for (int i = 1; i < rows.columns(); ++i) places += ", ?";
     while (rows.step()) copy.prepare("INSERT OR IGNORE INTO " + table + " VALUES(" + places + ")").bindRow(rows).run();

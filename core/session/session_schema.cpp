@@ -62,6 +62,7 @@ constexpr Table kTables2[] = {
     kModel,
     kEvent};
 
+// Of versions 3 and, with sums, 4.
 constexpr Table kTables3[] = {
     kMeta,
     kFile,
@@ -80,8 +81,47 @@ constexpr Table kTables3[] = {
     kModel,
     kEvent};
 
-std::string statementFor(const Table& table) {
-  return std::string("CREATE TABLE ") + table.name + table.columns;
+// From this version on every row has a sum.
+constexpr int kSums = 4;
+constexpr const char* kSum = ", sum INTEGER NOT NULL DEFAULT 0";
+
+std::string statementFor(const Table& table, int version) {
+  std::string columns = table.columns;
+  if (version >= kSums) columns.insert(columns.rfind(')'), kSum);
+  return std::string("CREATE TABLE ") + table.name + columns;
+}
+
+const Table& tableOf(const std::string& name) {
+  const auto* table =
+      std::find_if(std::begin(kTables3), std::end(kTables3), [&](const Table& t) { return name == t.name; });
+  if (table == std::end(kTables3)) throw InvalidInput("a session has no table " + name);
+  return *table;
+}
+
+// The first word of everything between the outermost commas.
+std::vector<std::string> columnsOf(const std::string& table) {
+  const std::string text = tableOf(table).columns;
+  std::vector<std::string> columns(1);
+  int depth = 0;
+  bool inName = true;
+  for (const char c : text.substr(1, text.rfind(')') - 1)) {
+    depth += c == '(' ? 1 : c == ')' ? -1 : 0;
+    if (c == ',' && depth == 0) {
+      columns.emplace_back();
+      inName = true;
+    } else if (inName && (c != ' ' || !columns.back().empty())) {
+      inName = c != ' ';
+      if (inName) columns.back() += c;
+    }
+  }
+  return columns;
+}
+
+// row_sum('view', prefix + first column, ...)
+std::string sumOf(const std::string& table, const std::vector<std::string>& values) {
+  std::string sum = "row_sum('" + table + "'";
+  for (const std::string& value : values) sum += ", " + value;
+  return sum + ")";
 }
 
 // What a database is made of: type, name and statement of everything in it, in order.
@@ -102,9 +142,9 @@ std::span<const Table> tablesOf(int version) {
   return kTables3;
 }
 
-Schema schemaOf(std::span<const Table> tables) {
+Schema schemaOf(int version) {
   Schema schema;
-  for (const Table& table : tables) schema.push_back({"table", table.name, statementFor(table)});
+  for (const Table& table : tablesOf(version)) schema.push_back({"table", table.name, statementFor(table, version)});
   std::sort(schema.begin(), schema.end());
   return schema;
 }
@@ -124,20 +164,52 @@ std::vector<std::string> sessionTables(int version) {
 
 void createSessionTable(Database& database, int version, const std::string& name) {
   for (const Table& table : tablesOf(version))
-    if (name == table.name) database.run(statementFor(table));
+    if (name == table.name) database.run(statementFor(table, version));
 }
 
 void createSessionTables(Database& database, int version) {
-  for (const Table& table : tablesOf(version)) database.run(statementFor(table));
-  database.run("INSERT INTO meta VALUES('schema', '" + std::to_string(version) + "')");
+  for (const Table& table : tablesOf(version)) database.run(statementFor(table, version));
+  database.run("INSERT INTO meta(key, value) VALUES('schema', '" + std::to_string(version) + "')");
+  if (version >= kSums) addSums(database, "meta");
+}
+
+std::string insertInto(const std::string& table) {
+  std::vector<std::string> places;
+  for (std::size_t i = 1; i <= columnsOf(table).size(); ++i)
+    places.push_back(std::string("?").append(std::to_string(i)));
+  std::string statement = "INSERT INTO " + table + " VALUES(";
+  for (const std::string& place : places) statement += place + ", ";
+  return statement + sumOf(table, places) + ")";
+}
+
+std::string replaceIn(const std::string& table) {
+  return insertInto(table).replace(0, std::string_view("INSERT").size(), "INSERT OR REPLACE");
+}
+
+std::string intact(const std::string& table, const std::string& alias) {
+  std::vector<std::string> columns = columnsOf(table);
+  const std::string prefix = alias.empty() ? std::string() : alias + ".";
+  for (std::string& column : columns) column.insert(0, prefix);
+  return "(" + prefix + "sum = " + sumOf(table, columns) + ")";
+}
+
+void addSums(Database& database, const std::string& table) {
+  database.run("UPDATE " + table + " SET sum = " + sumOf(table, columnsOf(table)));
+}
+
+const char* keyOf(const std::string& table) {
+  if (table == "meta") return "key";
+  if (table == "file") return "name";
+  return table == "plan" || table == "model" ? "step" : "id";
 }
 
 int checkSessionTables(Database& database) {
   const Schema schema = schemaOf(database);
   for (int version = kSessionSchema; version >= 1; --version)
-    if (schema == schemaOf(tablesOf(version))) return version;
-  const bool ours =
-      std::find(schema.begin(), schema.end(), Schema::value_type{"table", "meta", statementFor(kMeta)}) != schema.end();
+    if (schema == schemaOf(version)) return version;
+  const bool ours = std::any_of(schema.begin(), schema.end(), [](const auto& row) {
+    return row[0] == "table" && row[1] == "meta" && row[2].starts_with("CREATE TABLE meta(key TEXT PRIMARY KEY, value");
+  });
   const std::string version = ours ? versionIn(database) : std::string();
   if (!version.empty() && (version.size() > 1 || version < "1" || version > std::to_string(kSessionSchema)))
     throw InvalidInput(database.path() + ": has the session schema " + version + ", expected 1 to " +

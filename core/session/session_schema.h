@@ -7,7 +7,7 @@
 
 namespace vantage {
 
-/// The tables of a session file, version 3. core/session/README.md tells how to read them with the sqlite3 shell.
+/// The tables of a session file, version 4. core/session/README.md tells how to read them with the sqlite3 shell.
 ///
 ///   meta(key, value)      schema, program; cursor and tip: the steps that hold now and that redo ends at; note:...
 ///   file(name, content)   the profile as it was read (profile.json), and the files that it names
@@ -27,9 +27,10 @@ namespace vantage {
 ///   model(step, data)                                the model made in a step, zstd; can be made again
 ///   event(id, what, step)                            every command, undo and redo, in order
 ///
-/// Poses are 12 doubles, the first three rows of T_object_scanner (view) or T_table_scanner (scan). Bytes are little
-/// endian.
-inline constexpr int kSessionSchema = 3;
+/// Every row ends with a `sum` over its table's name and its other columns, so that what was changed behind the
+/// program's back is noticed. Poses are 12 doubles, the first three rows of T_object_scanner (view) or T_table_scanner
+/// (scan). Bytes are little endian.
+inline constexpr int kSessionSchema = 4;
 
 /// Names of the tables of a version in the order above.
 [[nodiscard]] std::vector<std::string> sessionTables(int version);
@@ -37,6 +38,16 @@ inline constexpr int kSessionSchema = 3;
 void createSessionTables(Database& database, int version = kSessionSchema);
 /// One of them.
 void createSessionTable(Database& database, int version, const std::string& name);
+
+/// "INSERT INTO table VALUES(?1, ..., row_sum(...))": a row with its sum. The second replaces one with the same key.
+[[nodiscard]] std::string insertInto(const std::string& table);
+[[nodiscard]] std::string replaceIn(const std::string& table);
+/// An expression: whether a row is as it was written. @param alias of the table in the query.
+[[nodiscard]] std::string intact(const std::string& table, const std::string& alias = {});
+/// Sums for rows that have none yet.
+void addSums(Database& database, const std::string& table);
+/// The column by which the rows of a table are told apart.
+[[nodiscard]] const char* keyOf(const std::string& table);
 
 /// @return the schema's version.
 /// @throws InvalidInput when the database is not a session: its tables are not exactly those of a version.

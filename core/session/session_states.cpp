@@ -6,6 +6,7 @@
 #include "acquisition/apply_command.h"
 #include "acquisition/steps.h"
 #include "base/errors.h"
+#include "session/state_hash.h"
 
 namespace vantage {
 namespace {
@@ -25,6 +26,14 @@ bool fits(const Plan& plan, const Model& model, std::size_t views) {
     return p.from < model.mesh.vertices.size() && p.to < model.mesh.vertices.size() &&
            p.triangle < model.mesh.triangles.size() && p.view < views;
   });
+}
+
+// Whether nothing of a state is lost that it had when it was written.
+bool isWhole(const AcquisitionState& state, const StateOutline& outline) {
+  if (state.scans.size() != outline.scans.size() || (outline.planStep != 0) != (state.plan != nullptr)) return false;
+  for (std::size_t i = 0; i < state.scans.size(); ++i)
+    if ((outline.scans[i].planStep != 0) != (state.scans[i].record.planAfter != nullptr)) return false;
+  return true;
 }
 
 }  // namespace
@@ -64,10 +73,11 @@ std::shared_ptr<const RayGrid> SessionStates::raysOf(std::int64_t id) {
 
 std::shared_ptr<const RangeImage> SessionStates::scan(std::int64_t number) {
   if (auto image = scans_[number].lock()) return image;
-  auto [image, rays] = store_.scan(number);
   const std::string what = store_.path() + ": scan " + std::to_string(number);
-  image.rays = raysOf(rays);
-  if (!image.rays) throw InvalidInput(what + " has no rays: the profile is missing");
+  const std::shared_ptr<const RayGrid> rays = raysOf(store_.raysOf(number));
+  if (!rays) throw InvalidInput(what + " has no rays: the profile is missing");
+  RangeImage image = store_.scan(number, rays->size());
+  image.rays = rays;
   if (!exists(image.station.position))
     throw InvalidInput(what + " is damaged: its position " + std::to_string(*image.station.position) +
                        " does not exist");
@@ -164,6 +174,42 @@ std::optional<KeptScan> SessionStates::keptScan(const OutlinedScan& outlined,
 }
 
 AcquisitionState SessionStates::state(const History& history, const HistoryEntry& entry) {
+  AcquisitionState state = assembled(history, entry);
+  if (entry.hash && isWhole(state, *entry.outline) && stateHash(state) != *entry.hash) {
+    auto again = replayed(state, history, entry);
+    const bool right = again && stateHash(*again) == *entry.hash;
+    lose({right ? LossKind::StateMadeAgain : LossKind::StateUntrue, entry.step, {}, {}});
+    if (right) {
+      state = std::move(*again);
+      models_[entry.outline->modelStep] = state.model;
+    }
+  }
+  if (state.plan && !vantage::fits(*state.plan, *state.model, countScans(state, ScanStatus::In))) state.plan = nullptr;
+  return state;
+}
+
+// What the command of an entry leads to from the state before it, with the plans that were kept.
+std::optional<AcquisitionState> SessionStates::replayed(const AcquisitionState& state, const History& history,
+                                                        const HistoryEntry& entry) {
+  std::size_t i = 1;
+  while (i < history.size() && history.entry(i).step != entry.step) ++i;
+  if (i >= history.size()) return std::nullopt;
+  try {
+    const std::shared_ptr<const AcquisitionState> before = history.state(i - 1);
+    const CommandInput input{[&](std::int64_t number) { return scan(number); }, nullptr};
+    AcquisitionState after = applyCommand(*before, entry.command, input, {});
+    if (after.scans.size() != state.scans.size()) return std::nullopt;
+    after.plan = state.plan;
+    after.termination = state.termination;
+    for (std::size_t k = 0; k < after.scans.size(); ++k)
+      after.scans[k].record.planAfter = state.scans[k].record.planAfter;
+    return after;
+  } catch (const InvalidInput&) {
+    return std::nullopt;
+  }
+}
+
+AcquisitionState SessionStates::assembled(const History& history, const HistoryEntry& entry) {
   const StateOutline& outline = *entry.outline;
   AcquisitionState state;
   state.profile = profile_;
@@ -183,7 +229,7 @@ AcquisitionState SessionStates::state(const History& history, const HistoryEntry
   const bool whole = views.size() == countScans(outline, ScanStatus::In);
   state.model = whole ? modelOf(state, history, entry) : integrateViews(views, stepOptionsFor(state), {});
   const auto held = plan(outline.planStep);
-  if (held && whole && vantage::fits(*held, *state.model, views.size())) state.plan = held;
+  if (held && whole) state.plan = held;
   return state;
 }
 

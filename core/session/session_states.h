@@ -36,7 +36,8 @@ class SessionStates {
   /// Takes steps out of a history that name positions or stands which there are not.
   void dropImpossible(StoredHistory& history);
 
-  /// The state after an entry of the history. A model that is not there is made again from the steps before it.
+  /// The state after an entry of the history, held against its hash. A model that is not there, or not what it was, is
+  /// made again from the steps before it.
   [[nodiscard]] AcquisitionState state(const History& history, const HistoryEntry& entry);
 
   /// @throws InvalidInput when there is none or it is damaged
@@ -70,6 +71,10 @@ class SessionStates {
                                                      const HistoryEntry& entry);
   [[nodiscard]] std::shared_ptr<const Model> replayedModel(const AcquisitionState& state, const History& history,
                                                            std::int64_t step);
+  [[nodiscard]] AcquisitionState assembled(const History& history, const HistoryEntry& entry);
+  /// Nothing when the step cannot be carried out again.
+  [[nodiscard]] std::optional<AcquisitionState> replayed(const AcquisitionState& state, const History& history,
+                                                         const HistoryEntry& entry);
   void lose(Loss loss);
 
   SessionStore& store_;

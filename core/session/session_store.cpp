@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <sstream>
 #include <utility>
 
 #include "base/errors.h"
@@ -9,12 +10,16 @@
 #include "session/command_json.h"
 #include "session/session_blobs.h"
 #include "session/session_json.h"
+#include "session/session_schema.h"
 
 namespace vantage {
 namespace {
 
 // The profile's own text is stored under this name, the files that it names under theirs.
 constexpr const char* kProfileName = "profile.json";
+// How many files there are.
+constexpr const char* kFiles = "files";
+constexpr const char* kUntrue = "untrue";
 // An object that is larger than this when packed is only known by its file and its hash.
 constexpr std::size_t kMaxObjectBytes = 256U << 20;
 constexpr std::int64_t kMostScans = 100'000;
@@ -27,25 +32,26 @@ std::int64_t numberIn(const std::string& text) {
   return number;
 }
 
+void mustBeIntact(const Statement& row, int column, const std::string& what) {
+  if (row.integer(column) == 0) throw InvalidInput(what + " is damaged: it is not as it was written");
+}
+
 }  // namespace
 
 std::string SessionStore::meta(const std::string& key) {
-  Statement row = database_.prepare("SELECT value FROM meta WHERE key = ?");
+  Statement row = database_.prepare("SELECT value FROM meta WHERE key = ? AND " + intact("meta"));
   row.bind(1, std::string_view(key));
   return row.step() ? row.text(0) : std::string();
 }
 
 void SessionStore::setMeta(const std::string& key, const std::string& value) {
-  database_.prepare("INSERT OR REPLACE INTO meta VALUES(?, ?)")
-      .bind(1, std::string_view(key))
-      .bind(2, std::string_view(value))
-      .run();
+  database_.prepare(replaceIn("meta")).bind(1, std::string_view(key)).bind(2, std::string_view(value)).run();
 }
 
-std::optional<ProfileSource> SessionStore::profileSource() {
+std::optional<ProfileSource> profileSourceIn(Database& database) {
   ProfileSource source;
-  source.path = path() + ": " + kProfileName;
-  Statement rows = database_.prepare("SELECT name, content FROM file");
+  source.path = database.path() + ": " + kProfileName;
+  Statement rows = database.prepare("SELECT name, content FROM file");
   while (rows.step()) {
     if (rows.text(0) == kProfileName) {
       source.text = rows.text(1);
@@ -57,16 +63,51 @@ std::optional<ProfileSource> SessionStore::profileSource() {
   return source;
 }
 
+std::optional<ProfileSource> SessionStore::profileSource() {
+  return profileSourceIn(database_);
+}
+
 void SessionStore::setProfileSource(const ProfileSource& source) {
-  Statement insert = database_.prepare("INSERT INTO file VALUES(?, ?)");
+  setMeta(kFiles, std::to_string(1 + source.attachments.size()));
+  Statement insert = database_.prepare(insertInto("file"));
   insert.bind(1, std::string_view(kProfileName)).bind(2, std::string_view(source.text)).run();
   for (const auto& [name, content] : source.attachments)
     insert.bind(1, std::string_view(name)).bind(2, std::string_view(content)).run();
 }
 
+std::vector<Loss> SessionStore::untrue() {
+  std::vector<Loss> losses;
+  std::istringstream numbers(meta(kUntrue));
+  for (std::int64_t step = 0; numbers >> step;) losses.push_back({LossKind::StateUntrue, step, {}, {}});
+  return losses;
+}
+
+void SessionStore::setUntrue(const std::vector<Loss>& steps) {
+  std::string numbers;
+  for (const Loss& loss : steps) numbers += std::to_string(loss.number.value_or(0)) + " ";
+  if (!numbers.empty()) setMeta(kUntrue, numbers);
+}
+
+std::vector<Loss> SessionStore::changedRows(const std::string& table) {
+  std::vector<Loss> losses;
+  Statement rows =
+      database_.prepare(std::string("SELECT ") + keyOf(table) + " FROM " + table + " WHERE NOT " + intact(table));
+  while (rows.step())
+    losses.push_back({LossKind::RowDamaged, rows.integer(0), table,
+                      path() + ": " + table + " " + rows.text(0) + " is damaged: it is not as it was written"});
+  return losses;
+}
+
+std::int64_t SessionStore::lostFiles() {
+  Statement files = database_.prepare("SELECT count(*) FROM file");
+  files.step();
+  return std::max<std::int64_t>(0, numberIn(meta(kFiles)) - files.integer(0));
+}
+
 std::optional<SessionStore::StoredObject> SessionStore::object() {
-  Statement row = database_.prepare("SELECT hash, mesh FROM object WHERE id = 1");
+  Statement row = database_.prepare("SELECT hash, mesh, " + intact("object") + " FROM object WHERE id = 1");
   if (!row.step()) return std::nullopt;
+  mustBeIntact(row, 2, path() + ": object");
   StoredObject object{std::nullopt, row.text(0)};
   if (const auto blob = row.blob(1); !blob.empty()) object.mesh = meshFromBlob(blob, path() + ": object");
   return object;
@@ -74,9 +115,9 @@ std::optional<SessionStore::StoredObject> SessionStore::object() {
 
 void SessionStore::setObject(const Mesh& mesh) {
   const std::vector<std::byte> blob = meshBlob(mesh);
-  Statement insert = database_.prepare("INSERT OR REPLACE INTO object VALUES(1, ?, ?)");
-  insert.bind(1, std::string_view(hashText(contentHash(mesh))));
-  if (blob.size() <= kMaxObjectBytes) insert.bind(2, std::span<const std::byte>(blob));
+  Statement insert = database_.prepare(replaceIn("object"));
+  insert.bind(1, std::int64_t{1}).bind(2, std::string_view(hashText(contentHash(mesh))));
+  if (blob.size() <= kMaxObjectBytes) insert.bind(3, std::span<const std::byte>(blob));
   insert.run();
 }
 
@@ -112,23 +153,32 @@ std::optional<Station> SessionStore::lastStation() {
   return stationOf(row, 0);
 }
 
-std::pair<RangeImage, std::int64_t> SessionStore::scan(std::int64_t number) {
+std::int64_t SessionStore::raysOf(std::int64_t scan) {
+  Statement row = database_.prepare("SELECT ifnull(rays, 0) FROM scan WHERE id = ?");
+  if (!row.bind(1, scan).step()) throw InvalidInput(path() + ": scan " + std::to_string(scan) + " does not exist");
+  return row.integer(0);
+}
+
+RangeImage SessionStore::scan(std::int64_t number, std::size_t rays) {
   const std::string what = path() + ": scan " + std::to_string(number);
-  Statement row =
-      database_.prepare("SELECT stand, position, known_by, ifnull(rays, 0), nominal, range FROM scan WHERE id = ?");
+  Statement row = database_.prepare("SELECT stand, position, known_by, nominal, range, " + intact("scan") +
+                                    " FROM scan WHERE id = ?");
   if (!row.bind(1, number).step()) throw InvalidInput(what + " does not exist");
+  mustBeIntact(row, 5, what);
   RangeImage image;
   image.station = stationOf(row, 0);
   image.poseKnownBy = poseSourceFromName(row.text(2), what);
-  image.T_table_scanner = poseFromBlob(row.blob(4), what);
-  image.range = rangeFromBlob(row.blob(5), what);
-  return {std::move(image), row.integer(3)};
+  image.T_table_scanner = poseFromBlob(row.blob(3), what);
+  image.range = rangeFromBlob(row.blob(4), rays, what);
+  return image;
 }
 
 RayGrid SessionStore::rays(std::int64_t id) {
   const std::string what = path() + ": rays " + std::to_string(id);
-  Statement row = database_.prepare("SELECT rows, columns, receivers, data FROM rays WHERE id = ?");
+  Statement row =
+      database_.prepare("SELECT rows, columns, receivers, data, " + intact("rays") + " FROM rays WHERE id = ?");
   if (!row.bind(1, id).step()) throw InvalidInput(what + " do not exist");
+  mustBeIntact(row, 4, what);
   constexpr std::int64_t kMost = 1'000'000;
   const auto size = [&](int column) {
     return static_cast<int>(std::clamp<std::int64_t>(row.integer(column), 0, kMost));
@@ -136,25 +186,32 @@ RayGrid SessionStore::rays(std::int64_t id) {
   return raysFromBlob(size(0), size(1), size(2), row.blob(3), what);
 }
 
+std::int64_t SessionStore::nextId(const std::string& table) {
+  Statement row = database_.prepare("SELECT ifnull(max(id), 0) + 1 FROM " + table);
+  row.step();
+  return row.integer(0);
+}
+
 std::int64_t SessionStore::addRays(const RayGrid& rays) {
-  Statement insert =
-      database_.prepare("INSERT INTO rays(rows, columns, receivers, data) VALUES(?, ?, ?, ?) RETURNING id");
-  insert.bind(1, std::int64_t{rays.rows()})
-      .bind(2, std::int64_t{rays.columns()})
-      .bind(3, static_cast<std::int64_t>(rays.receivers(0).size()))
-      .bind(4, std::span<const std::byte>(raysBlob(rays)))
-      .step();
-  return insert.integer(0);
+  const std::int64_t id = nextId("rays");
+  database_.prepare(insertInto("rays"))
+      .bind(1, id)
+      .bind(2, std::int64_t{rays.rows()})
+      .bind(3, std::int64_t{rays.columns()})
+      .bind(4, static_cast<std::int64_t>(rays.receivers(0).size()))
+      .bind(5, std::span<const std::byte>(raysBlob(rays)))
+      .run();
+  return id;
 }
 
 std::int64_t SessionStore::addScan(const RangeImage& image, std::int64_t rays) {
   const std::int64_t number = scanCount();
-  database_.prepare("INSERT INTO scan VALUES(?, ?, ?, ?, nullif(?, 0), ?, ?)")
+  database_.prepare(insertInto("scan"))
       .bind(1, number)
       .bind(2, std::int64_t{image.station.stand})
       .bindOptional(3, image.station.position)
       .bind(4, name(image.poseKnownBy))
-      .bind(5, rays)
+      .bindOptional(5, rays == 0 ? std::nullopt : std::optional(rays))
       .bind(6, std::span<const std::byte>(poseBlob(image.T_table_scanner)))
       .bind(7, std::span<const std::byte>(rangeBlob(image.range)))
       .run();
@@ -162,53 +219,60 @@ std::int64_t SessionStore::addScan(const RangeImage& image, std::int64_t rays) {
 }
 
 std::shared_ptr<const Model> SessionStore::model(std::int64_t step) {
-  Statement row = database_.prepare("SELECT data FROM model WHERE step = ?");
+  const std::string what = path() + ": model " + std::to_string(step);
+  Statement row = database_.prepare("SELECT data, " + intact("model") + " FROM model WHERE step = ?");
   if (!row.bind(1, step).step()) return nullptr;
-  return std::make_shared<const Model>(modelFromBlob(row.blob(0), path() + ": model " + std::to_string(step)));
+  mustBeIntact(row, 1, what);
+  return std::make_shared<const Model>(modelFromBlob(row.blob(0), what));
 }
 
 std::shared_ptr<const Plan> SessionStore::plan(std::int64_t step) {
   const std::string what = path() + ": plan " + std::to_string(step);
-  Statement row = database_.prepare("SELECT summary, data FROM plan WHERE step = ?");
+  Statement row = database_.prepare("SELECT summary, data, " + intact("plan") + " FROM plan WHERE step = ?");
   if (!row.bind(1, step).step()) return nullptr;
+  mustBeIntact(row, 2, what);
   auto plan = std::make_shared<Plan>(planFromText(row.text(0), what));
   addFromPlanBlob(*plan, row.blob(1), what);
   return plan;
 }
 
 std::int64_t SessionStore::nextStep() {
-  Statement row = database_.prepare("SELECT ifnull(max(id), 0) + 1 FROM step");
-  row.step();
-  return row.integer(0);
+  return nextId("step");
 }
 
 void SessionStore::addEvent(const std::string& what, std::int64_t step) {
-  database_.prepare("INSERT INTO event(what, step) VALUES(?, ?)").bind(1, std::string_view(what)).bind(2, step).run();
+  database_.prepare(insertInto("event")).bind(1, nextId("event")).bind(2, std::string_view(what)).bind(3, step).run();
 }
 
 void SessionStore::addViews(const HistoryEntry& entry) {
-  Statement insert =
-      database_.prepare("INSERT INTO view(step, place, scan, status, pose, record, plan) VALUES(?, ?, ?, ?, ?, ?, ?)");
-  Statement record = database_.prepare("INSERT INTO record(step, scan, data) VALUES(?, ?, ?)");
+  Statement insert = database_.prepare(insertInto("view"));
+  Statement record = database_.prepare(insertInto("record"));
+  const std::int64_t firstView = nextId("view");
+  std::int64_t nextRecord = nextId("record");
   const std::vector<OutlinedScan>& scans = entry.outline->scans;
   for (std::size_t i = 0; i < scans.size(); ++i) {
     const OutlinedScan& scan = scans[i];
-    insert.bind(1, entry.step)
-        .bind(2, static_cast<std::int64_t>(i))
-        .bind(3, scan.scan)
-        .bind(4, name(scan.status))
-        .bind(5, std::span<const std::byte>(poseBlob(scan.T_object_scanner)))
-        .bind(6, scan.recordStep)
-        .bind(7, scan.planStep)
+    insert.bind(1, firstView + static_cast<std::int64_t>(i))
+        .bind(2, entry.step)
+        .bind(3, static_cast<std::int64_t>(i))
+        .bind(4, scan.scan)
+        .bind(5, name(scan.status))
+        .bind(6, std::span<const std::byte>(poseBlob(scan.T_object_scanner)))
+        .bind(7, scan.recordStep)
+        .bind(8, scan.planStep)
         .run();
     if (scan.recordStep == entry.step)
-      record.bind(1, entry.step).bind(2, scan.scan).bind(3, std::string_view(recordText(scan))).run();
+      record.bind(1, nextRecord++)
+          .bind(2, entry.step)
+          .bind(3, scan.scan)
+          .bind(4, std::string_view(recordText(scan)))
+          .run();
   }
 }
 
 void SessionStore::addStep(const HistoryEntry& entry, std::int64_t parent, const std::optional<PackedPlan>& newPlan) {
   const StateOutline& outline = *entry.outline;
-  database_.prepare("INSERT INTO step VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)")
+  database_.prepare(insertInto("step"))
       .bind(1, entry.step)
       .bind(2, parent)
       .bind(3, kindOf(entry.command))
@@ -225,7 +289,7 @@ void SessionStore::addStep(const HistoryEntry& entry, std::int64_t parent, const
       .run();
   addViews(entry);
   if (newPlan)
-    database_.prepare("INSERT OR REPLACE INTO plan VALUES(?, ?, ?)")
+    database_.prepare(replaceIn("plan"))
         .bind(1, entry.step)
         .bind(2, std::string_view(newPlan->summary))
         .bind(3, std::span<const std::byte>(newPlan->data))
@@ -235,10 +299,7 @@ void SessionStore::addStep(const HistoryEntry& entry, std::int64_t parent, const
 }
 
 void SessionStore::addModel(std::int64_t step, const std::vector<std::byte>& blob) {
-  database_.prepare("INSERT OR REPLACE INTO model VALUES(?, ?)")
-      .bind(1, step)
-      .bind(2, std::span<const std::byte>(blob))
-      .run();
+  database_.prepare(replaceIn("model")).bind(1, step).bind(2, std::span<const std::byte>(blob)).run();
   thinModels(step);
 }
 

@@ -20,6 +20,9 @@ struct PackedPlan {
   std::vector<std::byte> data;
 };
 
+/// The profile of a session of any version; nothing when there is none.
+[[nodiscard]] std::optional<ProfileSource> profileSourceIn(Database& database);
+
 /// The rows of a session file as values (see session_schema.h). Keeps nothing in memory. Readers take nothing on trust:
 /// @throws InvalidInput naming the part that is damaged, IoError when the database fails.
 class SessionStore {
@@ -36,6 +39,8 @@ class SessionStore {
 
   [[nodiscard]] std::optional<ProfileSource> profileSource();
   void setProfileSource(const ProfileSource& source);
+  /// How many of the files that belong to the profile are not there.
+  [[nodiscard]] std::int64_t lostFiles();
 
   /// The object of the simulated scanner: its content, when it was not too large to be kept, and its contentHash.
   struct StoredObject {
@@ -47,14 +52,23 @@ class SessionStore {
 
   [[nodiscard]] StoredHistory history();
 
+  /// Steps that were not as an earlier version had written them when they were brought up to date.
+  [[nodiscard]] std::vector<Loss> untrue();
+  void setUntrue(const std::vector<Loss>& steps);
+
+  /// The rows of a table that are not as they were written.
+  [[nodiscard]] std::vector<Loss> changedRows(const std::string& table);
+
   /// One more than the highest number of a scan.
   [[nodiscard]] std::int64_t scanCount();
   [[nodiscard]] std::vector<std::int64_t> scanNumbers();
   [[nodiscard]] bool scanUsed(std::int64_t number);
   /// Where the last scan was taken; nothing without scans.
   [[nodiscard]] std::optional<Station> lastStation();
-  /// A scan and the number of its ray grid; 0 for the profile's, which stays unset.
-  [[nodiscard]] std::pair<RangeImage, std::int64_t> scan(std::int64_t number);
+  /// The number of a scan's ray grid; 0 for the profile's.
+  [[nodiscard]] std::int64_t raysOf(std::int64_t scan);
+  /// A scan of so many rays; its ray grid stays unset.
+  [[nodiscard]] RangeImage scan(std::int64_t number, std::size_t rays);
   [[nodiscard]] RayGrid rays(std::int64_t id);
   /// @param rays 0 for the profile's. @return the number
   std::int64_t addScan(const RangeImage& image, std::int64_t rays);
@@ -72,6 +86,7 @@ class SessionStore {
   void addModel(std::int64_t step, const std::vector<std::byte>& blob);
 
  private:
+  [[nodiscard]] std::int64_t nextId(const std::string& table);
   void addViews(const HistoryEntry& entry);
   void addEvent(const std::string& what, std::int64_t step);
   void thinModels(std::int64_t newest);

@@ -9,6 +9,7 @@
 #include "session/command_json.h"
 #include "session/session_blobs.h"
 #include "session/session_json.h"
+#include "session/session_schema.h"
 
 namespace vantage {
 namespace {
@@ -50,13 +51,17 @@ class HistoryReader {
 
  private:
   // Runs `row` for every row of a table; what is damaged becomes a loss, with the query's first column as its number.
+  // Its last one says whether the row is as it was written: one that is not is named, and taken as far as it goes.
   template <typename Row>
   void forEach(const std::string& table, const std::string& query, const Row& row) {
     try {
       Statement rows = database_.prepare(query);
       while (rows.step()) {
         try {
-          row(rows, database_.path() + ": " + table + " " + rows.text(0));
+          const std::string what = database_.path() + ": " + table + " " + rows.text(0);
+          if (rows.integer(rows.columns() - 1) == 0)
+            lose({LossKind::RowDamaged, rows.integer(0), table, what + " is damaged: it is not as it was written"});
+          row(rows, what);
         } catch (const InvalidInput& e) {
           lose({LossKind::RowDamaged, rows.integer(0), table, e.what()});
         }
@@ -69,25 +74,26 @@ class HistoryReader {
   void lose(Loss loss) { result_.losses.push_back(std::move(loss)); }
 
   void readSteps() {
-    forEach("step",
-            "SELECT id, parent, kind, command, settings, mode, stands, chosen, termination, views, model, plan, hash "
-            "FROM step",
-            [&](const Statement& row, const std::string& what) {
-              auto outline = std::make_shared<StateOutline>();
-              outline->settings = settingsFromText(row.text(4), what);
-              outline->mode = modeFromName(row.text(5), what);
-              outline->stands = standsFromText(row.text(6), what);
-              if (const auto chosen = row.optionalInteger(7)) outline->chosenPosition = bounded(*chosen);
-              outline->termination = terminationFromName(row.text(8), what);
-              outline->modelStep = row.integer(10);
-              outline->planStep = row.integer(11);
-              StepRow step{row.integer(1), row.integer(9), {}};
-              step.entry.step = row.integer(0);
-              step.entry.command = commandFromText(row.text(2), row.text(3), what);
-              step.entry.hash = hashFrom(row.text(12));
-              outlines_[step.entry.step] = std::move(outline);
-              steps_[step.entry.step] = std::move(step);
-            });
+    forEach(
+        "step",
+        "SELECT id, parent, kind, command, settings, mode, stands, chosen, termination, views, model, plan, hash, " +
+            intact("step") + " FROM step",
+        [&](const Statement& row, const std::string& what) {
+          auto outline = std::make_shared<StateOutline>();
+          outline->settings = settingsFromText(row.text(4), what);
+          outline->mode = modeFromName(row.text(5), what);
+          outline->stands = standsFromText(row.text(6), what);
+          if (const auto chosen = row.optionalInteger(7)) outline->chosenPosition = bounded(*chosen);
+          outline->termination = terminationFromName(row.text(8), what);
+          outline->modelStep = row.integer(10);
+          outline->planStep = row.integer(11);
+          StepRow step{row.integer(1), row.integer(9), {}};
+          step.entry.step = row.integer(0);
+          step.entry.command = commandFromText(row.text(2), row.text(3), what);
+          step.entry.hash = hashFrom(row.text(12));
+          outlines_[step.entry.step] = std::move(outline);
+          steps_[step.entry.step] = std::move(step);
+        });
   }
 
   // The steps from the first to the tip. Where a step is lost, those before it are found by their numbers.
@@ -110,33 +116,33 @@ class HistoryReader {
   }
 
   void readRecords() {
-    forEach("record", "SELECT id, step, scan, data FROM record", [&](const Statement& row, const std::string& what) {
-      records_[{row.integer(1), row.integer(2)}] =
-          std::make_shared<const ScanRecord>(recordFromText(row.text(3), what));
-    });
+    forEach("record", "SELECT id, step, scan, data, " + intact("record") + " FROM record",
+            [&](const Statement& row, const std::string& what) {
+              records_[{row.integer(1), row.integer(2)}] =
+                  std::make_shared<const ScanRecord>(recordFromText(row.text(3), what));
+            });
   }
 
   void readViews() {
-    forEach(
-        "view",
-        "SELECT v.id, v.step, v.scan, v.status, v.pose, v.record, v.plan, s.stand, s.position FROM view v LEFT JOIN "
-        "scan s ON s.id = v.scan ORDER BY v.step, v.place, v.id",
-        [&](const Statement& row, const std::string& what) {
-          const std::int64_t step = row.integer(1);
-          if (!onPath_.contains(step)) return;
-          OutlinedScan scan;
-          scan.scan = row.integer(2);
-          scan.status = scanStatusFromName(row.text(3), what);
-          scan.T_object_scanner = poseFromBlob(row.blob(4), what);
-          scan.recordStep = row.integer(5);
-          scan.planStep = row.integer(6);
-          scan.station = stationOf(row, 7);
-          const auto record = records_.find({scan.recordStep, scan.scan});
-          if (record == records_.end()) throw InvalidInput(what + " is damaged: it has no record");
-          scan.record = record->second;
-          outlines_[step]->scans.push_back(std::move(scan));
-          ++counts_[step];
-        });
+    forEach("view",
+            "SELECT v.id, v.step, v.scan, v.status, v.pose, v.record, v.plan, s.stand, s.position, " +
+                intact("view", "v") + " FROM view v LEFT JOIN scan s ON s.id = v.scan ORDER BY v.step, v.place, v.id",
+            [&](const Statement& row, const std::string& what) {
+              const std::int64_t step = row.integer(1);
+              if (!onPath_.contains(step)) return;
+              OutlinedScan scan;
+              scan.scan = row.integer(2);
+              scan.status = scanStatusFromName(row.text(3), what);
+              scan.T_object_scanner = poseFromBlob(row.blob(4), what);
+              scan.recordStep = row.integer(5);
+              scan.planStep = row.integer(6);
+              scan.station = stationOf(row, 7);
+              const auto record = records_.find({scan.recordStep, scan.scan});
+              if (record == records_.end()) throw InvalidInput(what + " is damaged: it has no record");
+              scan.record = record->second;
+              outlines_[step]->scans.push_back(std::move(scan));
+              ++counts_[step];
+            });
   }
 
   void take(std::int64_t step) {

@@ -46,6 +46,15 @@ TEST(ContentHash, EveryByteAndEveryBorderBetweenItemsCounts) {
   EXPECT_EQ(values.size(), 2 * text.size() + 1);
 }
 
+TEST(ContentHash, GoesBackWhereTheLastValueIsKnown) {
+  ContentHash hash;
+  hash.add("the settings");
+  const std::uint64_t then = hash.value();
+  hash.add(7);
+  const int last = 7;
+  EXPECT_EQ(ContentHash::before(hash.value(), std::as_bytes(std::span(&last, 1))).value(), then);
+}
+
 TEST(ContentHash, TextIsSixteenDigits) {
   EXPECT_EQ(hashText(0x0123456789abcdefULL), "0123456789abcdef");
   EXPECT_EQ(hashText(0), "0000000000000000");

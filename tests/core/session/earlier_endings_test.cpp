@@ -12,7 +12,7 @@ namespace {
 // The steps of a session that an earlier version ended, in the tables of now.
 class EarlierEndings : public ::testing::Test {
  protected:
-  EarlierEndings() : database_(Database::inMemory("endings.vantage")) { createSessionTables(database_); }
+  EarlierEndings() : database_(Database::inMemory("endings.vantage")) { createSessionTables(database_, 3); }
 
   // A step after which the acquisition is called finished, with so many views. @return its number
   int addFinished(const std::string& kind, int parent, int views, const std::string& strategy = "ps",

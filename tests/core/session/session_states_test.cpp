@@ -7,6 +7,7 @@
 #include "session/loss.h"
 #include "session/session.h"
 #include "session/session_blobs.h"
+#include "session/session_schema.h"
 #include "session/state_hash.h"
 #include "support/scenes/small_scene.h"
 #include "support/test_data.h"
@@ -78,6 +79,7 @@ TEST_F(SessionStatesTest, AModelThatIsNotThereIsMadeAgainAndNoLoss) {
 TEST_F(SessionStatesTest, AModelOfMoreViewsIsNamedOnceAndMadeAgain) {
   store_.database().run(
       "UPDATE model SET data = (SELECT data FROM model WHERE step = 3) WHERE step = (SELECT min(step) FROM model)");
+  addSums(store_.database(), "model");
   const AcquisitionState one = stateAt(1);
   EXPECT_EQ(stateHash(one), history_.entry(1).hash);
   EXPECT_EQ(states_.model(2, 1), one.model);

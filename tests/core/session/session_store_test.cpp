@@ -68,9 +68,9 @@ TEST(SessionStore, AScanOfNoPositionStaysOne) {
   EXPECT_EQ(store.addScan(image, 0), 0);
   image.station.position = 7;
   EXPECT_EQ(store.addScan(image, 0), 1);
-  EXPECT_FALSE(store.scan(0).first.station.position);
-  EXPECT_EQ(store.scan(0).first.poseKnownBy, PoseSource::Reported);
-  EXPECT_EQ(store.scan(1).first.station.position, 7);
+  EXPECT_FALSE(store.scan(0, testing::smallProfile()->rays->size()).station.position);
+  EXPECT_EQ(store.scan(0, testing::smallProfile()->rays->size()).poseKnownBy, PoseSource::Reported);
+  EXPECT_EQ(store.scan(1, testing::smallProfile()->rays->size()).station.position, 7);
   ASSERT_TRUE(store.lastStation());
   EXPECT_EQ(store.lastStation()->position, 7);
   EXPECT_FALSE(store.scanUsed(1));

@@ -298,14 +298,17 @@ TEST_F(SessionTest, RefusesATriggerThatHasTheNameOfATable) {
   static_cast<void>(saveTwoViews());
   {
     Database database(path(), Database::Mode::Write);
-    const std::string event = "CREATE TABLE event(id INTEGER PRIMARY KEY, what TEXT NOT NULL, step INTEGER NOT NULL)";
+    const std::string event =
+        "CREATE TABLE event(id INTEGER PRIMARY KEY, what TEXT NOT NULL, step INTEGER NOT NULL, sum INTEGER NOT NULL "
+        "DEFAULT 0)";
     database.run("ALTER TABLE event RENAME TO e0");
     database.run("CREATE TRIGGER event AFTER INSERT ON scan BEGIN DELETE FROM scan WHERE id = 0; END");
     database.run(event);
     database.run("INSERT INTO event SELECT * FROM e0");
     database.run("DROP TABLE e0");
     // Whatever is in the file, it does not run.
-    database.run("INSERT INTO scan SELECT 100, stand, position, known_by, rays, nominal, range FROM scan WHERE id = 0");
+    database.run(
+        "INSERT INTO scan SELECT 100, stand, position, known_by, rays, nominal, range, sum FROM scan WHERE id = 0");
     EXPECT_EQ(database.prepare("SELECT 1 FROM scan WHERE id = 0").step(), true);
   }
   EXPECT_THROW(static_cast<void>(reopened()), InvalidInput);
