@@ -3,6 +3,7 @@
 #include <QDir>
 #include <QFileInfo>
 #include <QSettings>
+#include <csignal>
 #include <cstdio>
 
 #include "cli/cache_directory.h"
@@ -28,6 +29,8 @@ QString lastSession(const vantage::Preferences& preferences) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  // A file that may not grow is an error of writing, said like a full disk.
+  std::signal(SIGXFSZ, SIG_IGN);
   QCoreApplication::setOrganizationName(QStringLiteral("Vantage"));
   QCoreApplication::setApplicationName(QStringLiteral("vantage"));
   QCoreApplication::setApplicationVersion(QStringLiteral(VANTAGE_VERSION));

@@ -5,7 +5,7 @@
 #include "acquisition/further_scan.h"
 #include "base/errors.h"
 #include "ending_text.h"
-#include "io/atomic_file.h"
+#include "base/atomic_file.h"
 #include "io/mesh_writer.h"
 #include "io/output_file.h"
 #include "report/loss_wording.h"

@@ -1,10 +1,13 @@
 #include "cli/command.h"
 
 #include <algorithm>
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 #include <thread>
 #include <utility>
 
+#include "base/errors.h"
 #include "base/plain_text.h"
 #include "report/wording.h"
 
@@ -37,8 +40,8 @@ void CommandContext::result(const nlohmann::ordered_json& json, const std::strin
   bar_.clear();
   const std::string out =
       json_ ? json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n" : plainLines(text);
-  std::fputs(out.c_str(), stdout);
-  std::fflush(stdout);
+  if (std::fputs(out.c_str(), stdout) < 0 || std::fflush(stdout) != 0)
+    throw IoError("standard output", std::string("cannot be written: ") + std::strerror(errno));
 }
 
 void CommandContext::result(nlohmann::ordered_json json, const std::string& text,

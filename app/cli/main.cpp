@@ -1,5 +1,6 @@
 #include <cstdio>
 #include <exception>
+#include <iostream>
 #include <new>
 
 #include "base/errors.h"
@@ -41,7 +42,12 @@ int run(int argc, char** argv) {
     app.parse(argc, argv);
     return context.warned() ? kDoneBut : kDone;
   } catch (const CLI::ParseError& e) {
-    return app.exit(e) == 0 ? kDone : kWrongUse;
+    const bool asked = app.exit(e) == 0;
+    if (asked && !std::cout.flush()) {
+      context.note("vantage-cli: standard output cannot be written");
+      return kFailed;
+    }
+    return asked ? kDone : kWrongUse;
   } catch (const vantage::Cancelled&) {
     context.note("vantage-cli: cancelled");
     return kCancelled;

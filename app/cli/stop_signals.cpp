@@ -11,6 +11,7 @@ sigset_t stopSignalSet() {
   sigemptyset(&set);
   sigaddset(&set, SIGINT);
   sigaddset(&set, SIGTERM);
+  sigaddset(&set, SIGHUP);
   return set;
 }
 
@@ -19,6 +20,8 @@ sigset_t stopSignalSet() {
 StopSignals::StopSignals() {
   const sigset_t set = stopSignalSet();
   pthread_sigmask(SIG_BLOCK, &set, nullptr);
+  // A reader that went away and a file that may not grow are errors of writing, said like a full disk.
+  for (const int signal : {SIGPIPE, SIGXFSZ}) std::signal(signal, SIG_IGN);
   waiter_ = std::jthread([this](const std::stop_token& done) {
     const sigset_t waited = stopSignalSet();
     const timespec interval{0, 50'000'000};

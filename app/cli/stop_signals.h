@@ -5,8 +5,8 @@
 
 namespace vantage {
 
-/// While it lives, SIGINT and SIGTERM request a stop instead of ending the program. Make it before any other thread, so
-/// that all of them inherit the blocked signals.
+/// While it lives, SIGINT, SIGTERM and SIGHUP request a stop instead of ending the program, and what cannot be written
+/// is an error of writing, no signal. Make it before any other thread, so that all of them inherit the blocked signals.
 class StopSignals {
  public:
   StopSignals();

@@ -2,7 +2,7 @@
 
 #include <cstdio>
 
-#include "io/atomic_file.h"
+#include "base/atomic_file.h"
 
 namespace vantage {
 

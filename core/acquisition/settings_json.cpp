@@ -8,7 +8,7 @@
 #include "acquisition/setting_lookup.h"
 #include "acquisition/settings_table.h"
 #include "base/errors.h"
-#include "io/atomic_file.h"
+#include "base/atomic_file.h"
 #include "io/file_bytes.h"
 
 namespace vantage {

@@ -10,7 +10,7 @@
 #include <type_traits>
 
 #include "base/errors.h"
-#include "io/atomic_file.h"
+#include "base/atomic_file.h"
 #include "io/file_kind.h"
 #include "io/text_scanner.h"
 

@@ -1,6 +1,6 @@
 #include <cstring>
 
-#include "io/atomic_file.h"
+#include "base/atomic_file.h"
 #include "io/range_files.h"
 
 namespace vantage {

@@ -1,6 +1,7 @@
 #include "positional_space/scanner_images.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <utility>
 
@@ -16,7 +17,27 @@ bool isPartition(const std::vector<std::uint32_t>& start, std::size_t parts, std
          std::is_sorted(start.begin(), start.end());
 }
 
+// Whether every cell leaves in a direction that there is.
+bool directionsFit(const ScannerImages::Data& d) {
+  const auto known = [&](std::int16_t k) { return k >= 0 && k < d.shape.directions; };
+  return std::all_of(d.direction.begin(), d.direction.end(),
+                     [&](const auto& k) { return known(k[0]) && known(k[1]); }) &&
+         std::all_of(d.cells.begin(), d.cells.end(), [](const OccupiedCell& c) {
+           return std::isfinite(c.slope[0]) && std::isfinite(c.slope[1]) && c.receiverSide < 4;
+         });
+}
+
+bool numbersFit(const ScannerImages::Data& d) {
+  for (const double v :
+       {d.shape.radius, d.shape.bottom, d.shape.top, d.shape.firstColumn, d.shape.angularError, d.minRange, d.maxRange})
+    if (!std::isfinite(v)) return false;
+  return d.shape.radius > 0.0 && d.shape.directions > 0 && d.shape.rows > 0 && d.shape.columns > 0 &&
+         std::all_of(d.receiverPositions.begin(), d.receiverPositions.end(),
+                     [](const Vec3& p) { return p.allFinite(); });
+}
+
 bool fits(const ScannerImages::Data& d) {
+  if (!numbersFit(d) || !directionsFit(d)) return false;
   if (d.positions < 1 || d.steps < 1 || d.periods < 1 || d.receivers < 0) return false;
   if (d.positions % d.steps != 0 || d.steps % d.periods != 0 || d.shape.columns % d.periods != 0) return false;
   const std::size_t cells = d.cells.size();

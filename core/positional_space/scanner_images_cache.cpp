@@ -1,13 +1,12 @@
 #include "positional_space/scanner_images_cache.h"
 
 #include <array>
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <span>
-#include <sstream>
 #include <utility>
 
+#include "base/atomic_file.h"
 #include "base/blob.h"
 #include "base/errors.h"
 #include "geometry/geometry_hash.h"
@@ -17,9 +16,12 @@ namespace {
 
 constexpr std::array<char, 8> kMagic = {'V', 'N', 'T', 'G', 'P', 'S', 'C', 'I'};
 // Raise it whenever what is computed or how it is laid out changes.
-constexpr std::uint32_t kVersion = 2;
+constexpr std::uint32_t kVersion = 3;
 // Written as a number: a file from a machine of the other byte order does not match.
 constexpr std::uint32_t kByteOrder = 0x01020304U;
+
+// No profile that can be read has images as large as this.
+constexpr std::uintmax_t kMaxBytes = std::uintmax_t{4} << 30;
 
 std::vector<std::byte> encode(const ScannerImages::Data& data) {
   BlobWriter out;
@@ -61,8 +63,11 @@ ScannerImages decode(std::span<const std::byte> body) {
   return ScannerImages(std::move(data));
 }
 
-std::uint64_t checksum(std::span<const std::byte> body) {
+// Of one version and one profile only.
+std::uint64_t checksum(std::uint64_t profile, std::span<const std::byte> body) {
   ContentHash hash;
+  hash.add(kVersion);
+  hash.add(profile);
   hash.add(body);
   return hash.value();
 }
@@ -100,41 +105,28 @@ void writeScannerImages(const ScannerImages& images, std::uint64_t hash, const s
   header.value(kVersion);
   header.value(kByteOrder);
   header.value(hash);
-  header.value(checksum(body));
-  const std::string unfinished = path + ".part";
-  {
-    std::ofstream out(unfinished, std::ios::binary | std::ios::trunc);
-    for (const auto* part : {&header.bytes(), &body})
-      out.write(reinterpret_cast<const char*>(part->data()), static_cast<std::streamsize>(part->size()));
-    out.close();
-    if (!out) {
-      std::remove(unfinished.c_str());
-      throw IoError(path, "cannot be written");
-    }
-  }
-  std::error_code error;
-  std::filesystem::rename(unfinished, path, error);
-  if (error) {
-    std::remove(unfinished.c_str());
-    throw IoError(path, "cannot be written: " + error.message());
-  }
+  header.value(checksum(hash, body));
+  AtomicFile file(path);
+  for (const auto* part : {&header.bytes(), &body})
+    file.write({reinterpret_cast<const char*>(part->data()), part->size()});
+  file.commit();
 }
 
 std::optional<ScannerImages> readScannerImages(const std::string& path, std::uint64_t hash) {
+  constexpr std::size_t kHeader = sizeof kMagic + 2 * sizeof kVersion + 2 * sizeof hash;
   std::error_code error;
   if (!std::filesystem::is_regular_file(path, error)) return std::nullopt;
+  const std::uintmax_t size = std::filesystem::file_size(path, error);
+  if (error || size < kHeader || size > kMaxBytes) return std::nullopt;
+  std::vector<std::byte> content(size);
   std::ifstream in(path, std::ios::binary);
-  std::ostringstream text;
-  text << in.rdbuf();
-  const std::string content = std::move(text).str();
-  const auto bytes = std::as_bytes(std::span(content));
-  constexpr std::size_t kHeader = sizeof kMagic + 2 * sizeof kVersion + 2 * sizeof hash;
-  if (!in || bytes.size() < kHeader) return std::nullopt;
+  if (!in.read(reinterpret_cast<char*>(content.data()), static_cast<std::streamsize>(size))) return std::nullopt;
+  const auto bytes = std::span<const std::byte>(content);
   BlobReader header(bytes.first(kHeader), "scanner images");
   const auto body = bytes.subspan(kHeader);
   const bool ours = header.value<std::array<char, 8>>() == kMagic && header.value<std::uint32_t>() == kVersion &&
                     header.value<std::uint32_t>() == kByteOrder && header.value<std::uint64_t>() == hash &&
-                    header.value<std::uint64_t>() == checksum(body);
+                    header.value<std::uint64_t>() == checksum(hash, body);
   if (!ours) return std::nullopt;
   try {
     return decode(body);

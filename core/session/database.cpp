@@ -24,6 +24,9 @@ std::string meaning(int code, const char* detail) {
   switch (code & 0xff) {
     case SQLITE_FULL:
       return "the disk is full; the session is as it was before, go on when there is room";
+    case SQLITE_IOERR:
+      return std::string("the session cannot be read or written (") + detail +
+             "); it is as it was before, go on when that is mended";
     case SQLITE_READONLY:
     case SQLITE_PERM:
     case SQLITE_CANTOPEN:

@@ -119,6 +119,27 @@ code=$?
 [[ $code -eq 3 ]] || { echo "FAIL: exit code $code after SIGINT, expected 3"; failures=$((failures + 1)); }
 expect 0 "session" "$cli" info "$work/stopped/session.vantage"
 
+# A terminal that goes away is a stop like any other.
+"$cli" acquire --object "$mug" --scanner "$scanner" --out "$work/hung" >"$work/log" 2>&1 &
+pid=$!
+for _ in $(seq 100); do
+  grep -q "^view 1" "$work/log" && break
+  sleep 0.1
+done
+kill -HUP $pid
+wait $pid
+code=$?
+[[ $code -eq 3 ]] || { echo "FAIL: exit code $code after SIGHUP, expected 3"; failures=$((failures + 1)); }
+expect 0 "session" "$cli" info "$work/hung/session.vantage"
+
+# What cannot be written is said: standard output, and a file that may not grow.
+expect 1 "standard output" bash -c "'$cli' info '$mug' >/dev/full"
+expect 1 "standard output" bash -c "'$cli' --help >/dev/full"
+expect 1 "cannot be written" bash -c "ulimit -f 64; '$cli' export '$work/hung/session.vantage' --out '$work/small.ply'"
+[[ -e $work/small.ply ]] && { echo "FAIL: half a model was left"; failures=$((failures + 1)); }
+expect 1 "" bash -c "ulimit -f 64; '$cli' acquire --object '$mug' --scanner '$scanner' --out '$work/limited'"
+[[ -z $(find "$work" -name "*.part" -o -name "*.new") ]] || { echo "FAIL: unfinished files are left"; failures=$((failures + 1)); }
+
 # Killed: the run goes on to the same bytes, with the object's file gone. Nobody may open the session meanwhile.
 cp "$mug" "$work/mug.ply"
 "$cli" acquire --object "$work/mug.ply" --scanner "$scanner" --out "$work/whole" --max-views 5 >/dev/null 2>&1

@@ -10,7 +10,7 @@ namespace {
 
 const std::regex kMinusOne("\\b(\\w+)\\s*[={]\\s*-\\s*1\\s*\\}?\\s*;");
 
-const std::set<std::string> kDescriptors{"core/io/atomic_file.h descriptor_",
+const std::set<std::string> kDescriptors{"core/base/atomic_file.h descriptor_",
                                          "core/session/session_lock.h descriptor_"};
 
 }  // namespace

@@ -28,9 +28,9 @@ TEST(MissingValues, OtherNumbersAndSourcesAreNone) {
 }
 
 TEST(MissingValues, DescriptorsOfFilesAreTheOperatingSystemsOwn) {
-  const MadeUpTree tree({{"core/io/atomic_file.h", "  int descriptor_ = -1;\n  int other_ = -1;\n"},
+  const MadeUpTree tree({{"core/base/atomic_file.h", "  int descriptor_ = -1;\n  int other_ = -1;\n"},
                          {"core/io/other.h", "  int descriptor_ = -1;\n"}});
-  EXPECT_EQ(missingValues(tree.root()), (Found{"core/io/atomic_file.h:2: other_", "core/io/other.h:1: descriptor_"}));
+  EXPECT_EQ(missingValues(tree.root()), (Found{"core/base/atomic_file.h:2: other_", "core/io/other.h:1: descriptor_"}));
 }
 
 }  // namespace

@@ -72,6 +72,21 @@ TEST_F(ScannerImagesCache, DamageIsNoticed) {
   EXPECT_TRUE(readScannerImages(file_, 42).has_value());
 }
 
+// Who may write beside the cache must not choose what is written through it.
+TEST_F(ScannerImagesCache, NoLinkIsFollowedAndNothingIsLeftBeside) {
+  const fs::path victim = directory_ / "victim";
+  std::ofstream(victim) << "mine";
+  fs::create_symlink(victim, directory_ / "some.images.part");
+  writeScannerImages(computeScannerImages(testing::linearStripe()), 42, file_);
+  EXPECT_TRUE(readScannerImages(file_, 42).has_value());
+  std::ifstream in(victim);
+  std::string content;
+  in >> content;
+  EXPECT_EQ(content, "mine");
+  fs::remove(directory_ / "some.images.part");
+  EXPECT_EQ(std::distance(fs::directory_iterator(directory_), fs::directory_iterator()), 2);
+}
+
 TEST_F(ScannerImagesCache, ImagesOfAnotherProfileAreNotTaken) {
   writeScannerImages(computeScannerImages(testing::linearStripe()), 42, file_);
   EXPECT_FALSE(readScannerImages(file_, 43).has_value());

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include <algorithm>
 #include <numeric>
 #include <stop_token>
@@ -146,6 +148,15 @@ TEST(ScannerImages, RefusesPartsThatDoNotFit) {
   EXPECT_THROW(ScannerImages{data}, InvalidInput);
   data = images.data();
   data.direction.pop_back();
+  EXPECT_THROW(ScannerImages{data}, InvalidInput);
+  data = images.data();
+  data.direction[5][1] = static_cast<std::int16_t>(data.shape.directions);
+  EXPECT_THROW(ScannerImages{data}, InvalidInput);
+  data = images.data();
+  data.cells[5].receiverSide = 4;
+  EXPECT_THROW(ScannerImages{data}, InvalidInput);
+  data = images.data();
+  data.shape.radius = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THROW(ScannerImages{data}, InvalidInput);
 }
 

@@ -1,13 +1,14 @@
-#include "io/atomic_file.h"
+#include "base/atomic_file.h"
 
 #include <gtest/gtest.h>
 
 #include <cstring>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 
 #include "base/errors.h"
 #include "core/io/expect_error.h"
-#include "io/file_bytes.h"
 #include "support/test_data.h"
 
 namespace vantage {
@@ -18,7 +19,8 @@ using testing::filesBelow;
 using testing::TemporaryFolder;
 
 std::string contentOf(const std::string& path) {
-  return std::string(FileBytes(path).text());
+  std::ifstream in(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
 }
 
 TEST(AtomicFile, AppearsOnlyWhenCommitted) {
