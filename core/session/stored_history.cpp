@@ -96,6 +96,21 @@ class HistoryReader {
         });
   }
 
+  // Most steps have the settings and stands of the one before.
+  template <typename Value>
+  struct Parsed {
+    std::string text;
+    Value value{};
+  };
+  template <typename Value, typename Parser>
+  static const Value& parsed(Parsed<Value>& before, std::string text, const Parser& parse) {
+    if (text != before.text) {
+      before.value = parse(text);
+      before.text = std::move(text);
+    }
+    return before.value;
+  }
+
   // The steps from the first to the tip. Where a step is lost, those before it are found by their numbers.
   void followPath(std::int64_t tip) {
     auto at = steps_.find(tip);
@@ -161,6 +176,8 @@ class HistoryReader {
   std::map<std::int64_t, std::shared_ptr<StateOutline>> outlines_;
   std::map<std::pair<std::int64_t, std::int64_t>, std::shared_ptr<const ScanRecord>> records_;
   std::map<std::int64_t, std::int64_t> counts_;
+  Parsed<AcquisitionSettings> settings_;
+  Parsed<std::vector<Stand>> stands_;
   std::vector<std::int64_t> path_;
   std::set<std::int64_t> onPath_;
 };
