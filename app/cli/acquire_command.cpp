@@ -54,6 +54,7 @@ void run(const AcquireArguments& args, CommandContext& context) {
   results.mustBeReplaceable({args.object, args.scanner});
   const ProfileSource source = readProfileSource(args.scanner);
   const auto profile = std::make_shared<const ScannerProfile>(parseProfile(source));
+  tellMemoryNeeded(*profile, context);
   if (args.settings.firstView >= static_cast<int>(profile->workspace.size()))
     throw InvalidInput("--first-view is " + std::to_string(args.settings.firstView) +
                        ", the workspace has positions 0 to " + std::to_string(profile->workspace.size() - 1));

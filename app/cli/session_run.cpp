@@ -113,4 +113,14 @@ void SessionRun::announce() {
   context_.result(report_, text, warningsOf(*last_));
 }
 
+void tellMemoryNeeded(const ScannerProfile& profile, CommandContext& context) {
+  // Measured at the peak, with 9 million rays.
+  constexpr double kBytesPerRay = 170.0;
+  constexpr double kWorthSaying = 300.0;  // [MB]
+  const auto rays = static_cast<double>(profile.rays->size());
+  if (const double megabytes = rays * kBytesPerRay / 1e6; megabytes > kWorthSaying)
+    context.note("the scanner has " + number(rays / 1e6, 1) + " million rays: this takes about " +
+                 number(megabytes / 1e3, 1) + " GB of memory, and every step some time");
+}
+
 }  // namespace vantage

@@ -38,4 +38,7 @@ class SessionRun {
 /// @throws InvalidInput, IoError, Cancelled
 void changeSettings(Session& session, const AcquisitionSettings& settings, CommandContext& context);
 
+/// Says how much memory a scanner of very many rays takes before any of the work on it begins.
+void tellMemoryNeeded(const ScannerProfile& profile, CommandContext& context);
+
 }  // namespace vantage

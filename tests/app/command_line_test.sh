@@ -140,6 +140,10 @@ expect 1 "cannot be written" bash -c "ulimit -f 64; '$cli' export '$work/hung/se
 expect 1 "" bash -c "ulimit -f 64; '$cli' acquire --object '$mug' --scanner '$scanner' --out '$work/limited'"
 [[ -z $(find "$work" -name "*.part" -o -name "*.new") ]] || { echo "FAIL: unfinished files are left"; failures=$((failures + 1)); }
 
+# A scanner of very many rays says what it takes before the work begins.
+sed -E 's/("samples_per_stripe": )[0-9]+/\12000/; s/("stripes": )[0-9]+/\12000/' "$scanner" >"$work/large.json"
+expect 1 "4.0 million rays: this takes about 0.7 GB" "$cli" acquire --object "$mug" --scanner "$work/large.json" --out "$work/large" --first-view 9999
+
 # Killed: the run goes on to the same bytes, with the object's file gone. Nobody may open the session meanwhile.
 cp "$mug" "$work/mug.ply"
 "$cli" acquire --object "$work/mug.ply" --scanner "$scanner" --out "$work/whole" --max-views 5 >/dev/null 2>&1
