@@ -17,8 +17,8 @@ struct Situation {
   bool busy = false;             ///< something is under way
   bool sessionOpen = false;      ///< a session has begun or was opened
   Mode mode = Mode::Automatic;   ///< who takes the next step
-  SharedSetUp setUp;             ///< nothing before it was read
-  SharedState now;               ///< nothing before the first scan
+  SharedSetUp setUp = nullptr;   ///< nothing before it was read
+  SharedState now = nullptr;     ///< nothing before the first scan
   bool somethingBefore = false;  ///< there is a step to undo
   bool somethingUndone = false;  ///< there is a step to redo
 };
