@@ -34,6 +34,8 @@ std::string meaning(int code, const char* detail) {
     case SQLITE_CORRUPT:
     case SQLITE_NOTADB:
       return std::string("is damaged, or no session (") + detail + ")";
+    case SQLITE_INTERRUPT:
+      return "is given up: it takes longer to read than any session that this program writes";
     case SQLITE_BUSY:
     case SQLITE_LOCKED:
       return "another program is writing to the session";
@@ -61,6 +63,16 @@ bool hasLog(const std::string& path) {
   std::error_code error;
   const auto size = std::filesystem::file_size(path + "-wal", error);
   return !error && size > 0;
+}
+
+// SQLite's own instructions between two questions whether to go on: about a millisecond's.
+constexpr int kInstructions = 100'000;
+// How often a statement goes on: about a second, and more for a large file.
+constexpr std::int64_t kPatience = 1000;
+constexpr std::int64_t kBytesPerMore = 1000;
+
+int useUp(void* patience) {
+  return --*static_cast<std::int64_t*>(patience) < 0 ? 1 : 0;
 }
 
 // row_sum(x, ...): a number for values of SQL and their types.
@@ -179,7 +191,8 @@ std::vector<std::byte> Statement::blob(int column) const {
   return bytes;
 }
 
-Database::Database(std::string path, sqlite3* handle) : path_(std::move(path)), handle_(handle, &sqlite3_close_v2) {}
+Database::Database(std::string path, sqlite3* handle)
+    : path_(std::move(path)), patience_(std::make_unique<std::int64_t>(0)), handle_(handle, &sqlite3_close_v2) {}
 
 Database::Database(const std::string& path, Mode mode) : Database(path, nullptr) {
   if (mode == Mode::Read) {
@@ -210,6 +223,7 @@ int Database::openHandle(const std::string& name, int flags) {
   sqlite3_db_config(handle, SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, nullptr);
   sqlite3_db_config(handle, SQLITE_DBCONFIG_ENABLE_TRIGGER, 0, nullptr);
   sqlite3_db_config(handle, SQLITE_DBCONFIG_ENABLE_VIEW, 0, nullptr);
+  sqlite3_progress_handler(handle, kInstructions, &useUp, patience_.get());
   return sqlite3_create_function_v2(handle, "row_sum", -1, SQLITE_UTF8 | SQLITE_DETERMINISTIC | SQLITE_DIRECTONLY,
                                     nullptr, &rowSum, nullptr, nullptr, nullptr);
 }
@@ -271,7 +285,14 @@ bool Database::sound() {
   }
 }
 
+void Database::bePatient() {
+  std::error_code error;
+  const auto bytes = std::filesystem::file_size(path_, error);
+  *patience_ = kPatience + (error ? 0 : static_cast<std::int64_t>(bytes) / kBytesPerMore);
+}
+
 Statement Database::prepare(const std::string& sql) {
+  bePatient();
   return {handle_.get(), path_, sql};
 }
 

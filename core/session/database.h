@@ -93,10 +93,12 @@ class Database {
  private:
   Database(std::string path, sqlite3* handle);
   int openHandle(const std::string& name, int flags);
+  void bePatient();
   void openForReading();
   void backUp(Database& copy) const;
 
   std::string path_;
+  std::unique_ptr<std::int64_t> patience_;  ///< that is left for a statement; before the handle, which uses it up
   std::unique_ptr<sqlite3, int (*)(sqlite3*)> handle_;
 };
 

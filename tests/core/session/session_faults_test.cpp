@@ -8,6 +8,7 @@
 #include "base/errors.h"
 #include "core/io/expect_error.h"
 #include "faulty_storage.h"
+#include "session/database.h"
 #include "session/session.h"
 #include "session/session_blobs.h"
 #include "session/state_hash.h"
@@ -202,6 +203,15 @@ TEST_F(SessionFaults, AFolderThatCannotBeWrittenToSaysSoAndIsRead) {
   EXPECT_EQ(countScans(*Session::open(path(), SessionAccess::Read).state(), ScanStatus::In), 3U);
   ASSERT_TRUE(!root || seteuid(0) == 0);
   std::filesystem::permissions(folder, std::filesystem::perms(0755));
+}
+
+// Nothing in a file can make the program wait for ever.
+TEST(Database, AStatementThatDoesNotEndIsGivenUp) {
+  Database database = Database::inMemory("slow.vantage");
+  expectError<IoError>(
+      [&] { database.run("WITH RECURSIVE n(i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM n) SELECT max(i) FROM n"); },
+      {"slow.vantage", "given up"});
+  database.run("CREATE TABLE t(a)");
 }
 
 }  // namespace
