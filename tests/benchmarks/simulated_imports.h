@@ -1,12 +1,12 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "acquisition/kept_scan.h"
+#include "simulated_bodies.h"
 
 namespace vantage {
 
@@ -27,11 +27,6 @@ enum class ImportFault : std::uint8_t {
 inline constexpr int kImportFaults = 11;
 [[nodiscard]] const char* name(ImportFault fault);
 
-/// What was scanned.
-enum class BodyKind : std::uint8_t { Unique, Symmetric, Plate, PartOnTable };
-inline constexpr int kBodyKinds = 4;
-[[nodiscard]] const char* name(BodyKind kind);
-
 /// Eight scans of a body with what they should come to.
 struct SimulatedImport {
   ImportFault fault = ImportFault::None;
@@ -40,9 +35,9 @@ struct SimulatedImport {
   double spacing = 0.0;  ///< [mm]
   double noise = 0.0;    ///< [spacings]
   std::vector<NumberedScan> scans;
-  std::vector<Pose> truth;                            ///< T_object_scanner, one per scan
-  std::vector<bool> elsewhere;                        ///< one per scan: of another object
-  std::function<double(const Vec3& point)> distance;  ///< to the surface, object coordinates [mm]
+  std::vector<Pose> truth;      ///< T_object_scanner, one per scan
+  std::vector<bool> elsewhere;  ///< one per scan: of another object
+  Body distance;                ///< object coordinates
 };
 
 /// The same for the same seed on every machine.
