@@ -6,7 +6,9 @@
 #include <new>
 
 #include "base/errors.h"
+#include "base/random.h"
 #include "core/io/expect_error.h"
+#include "earlier_versions.h"
 #include "faulty_storage.h"
 #include "session/database.h"
 #include "session/session.h"
@@ -203,6 +205,42 @@ TEST_F(SessionFaults, AFolderThatCannotBeWrittenToSaysSoAndIsRead) {
   EXPECT_EQ(countScans(*Session::open(path(), SessionAccess::Read).state(), ScanStatus::In), 3U);
   ASSERT_TRUE(!root || seteuid(0) == 0);
   std::filesystem::permissions(folder, std::filesystem::perms(0755));
+}
+
+// The last write before the power went is there in part, or as something else. What was reported before it is there.
+TEST_F(SessionFaults, AWriteThatWasTornLeavesTheStepBeforeIt) {
+  std::vector<std::uint64_t> hashes;
+  std::string file;
+  std::string log;
+  {
+    Session session = createSmallSession(path(), threeViews());
+    static_cast<void>(runSmallSession(session));
+    session.settle();
+    for (std::size_t i = 0; i < session.history().size(); ++i) hashes.push_back(*session.history().entry(i).hash);
+    file = testing::bytesOf(path());
+    log = testing::bytesOf(path() + "-wal");
+  }
+  ASSERT_FALSE(log.empty());
+  Random random(7);
+  std::size_t cutShort = 0;
+  for (int i = 0; i < 200; ++i) {
+    const TemporaryFolder folder;
+    const std::string copy = folder.write("torn.vantage", file);
+    std::string torn = log.substr(0, 1 + random.below(log.size()));
+    // Half of them end in what was on the disk before.
+    const std::size_t sector = std::min<std::size_t>(512, torn.size());
+    if (i % 2 == 1)
+      for (std::size_t k = torn.size() - sector; k < torn.size(); ++k) torn[k] = static_cast<char>(random.below(256));
+    static_cast<void>(folder.write("torn.vantage-wal", torn));
+    const Session session = Session::open(copy, SessionAccess::Write);
+    EXPECT_EQ(session.losses(), std::vector<Loss>()) << i;
+    const std::size_t steps = session.history().size();
+    ASSERT_GE(steps, 1U) << i;
+    ASSERT_LE(steps, hashes.size()) << i;
+    EXPECT_EQ(stateHash(*session.state()), hashes[session.history().cursor()]) << i;
+    cutShort += steps < hashes.size() ? 1 : 0;
+  }
+  EXPECT_GT(cutShort, 20U);
 }
 
 // Nothing in a file can make the program wait for ever.
