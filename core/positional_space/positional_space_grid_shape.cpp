@@ -149,9 +149,8 @@ struct FanWidths {
   double up = radians(10.0);
 };
 
-FanWidths fanWidths(const ScannerProfile& profile, const PositionalSpaceShape& shape, const std::vector<Pose>& poses) {
+FanWidths fanWidths(const RayFan& fan, const PositionalSpaceShape& shape, const std::vector<Pose>& poses) {
   const PositionalSpaceGrid grid(shape);
-  const RayFan fan(*profile.rays, 4.0 * shape.radius);
   std::vector<double> across;
   std::vector<double> up;
   std::optional<GridPosition> hint;
@@ -172,11 +171,10 @@ FanWidths fanWidths(const ScannerProfile& profile, const PositionalSpaceShape& s
 }
 
 // How many positions' rays leave through a surface cell in about the same direction, on average over rays.
-double positionDensity(const ScannerProfile& profile, const PositionalSpaceShape& shape, const FanWidths& widths) {
+double positionDensity(const RayFan& fan, const PositionalSpaceShape& shape, const std::vector<Pose>& poses,
+                       const FanWidths& widths) {
   const PositionalSpaceGrid grid(shape);
-  const RayFan fan(*profile.rays, 4.0 * shape.radius);
   const auto& cells = grid.surfaceCells();
-  const auto& poses = profile.workspace.poses;
   const std::size_t cellStride = std::max<std::size_t>(1, cells.size() / kDensityCells);
   const std::size_t poseStride = (poses.size() + kDensityPoses - 1) / kDensityPoses;
   std::size_t rays = 0;
@@ -201,9 +199,12 @@ PositionalSpaceGrid makePositionalSpaceGrid(const ScannerProfile& profile, const
   const std::vector<Pose> poses = posesUpToTurns(profile.workspace);
   PositionalSpaceShape shape = surfaceShape(profile, poses, progress);
   shape.firstColumn = kFirstColumn * 2.0 * kPi / shape.columns;
-  const FanWidths widths = fanWidths(profile, shape, poses);
+  progress.checkpoint(1.0);
+  const RayFan fan(*profile.rays, 4.0 * shape.radius);
+  progress.checkpoint(1.0);
+  const FanWidths widths = fanWidths(fan, shape, poses);
   const double narrowest = std::min(widths.across, widths.up);
-  const bool dense = positionDensity(profile, shape, widths) > kDense;
+  const bool dense = positionDensity(fan, shape, profile.workspace.poses, widths) > kDense;
   const int shared = static_cast<int>(std::ceil(kPi / narrowest * kSharedParts)) | 1;
   shape.directions = dense ? std::clamp(shared, kFewestDirections, kMostDirections) : kMostDirections;
   shape.angularError = 0.5 * std::max(widths.across, widths.up) + 0.5 * kPi / shape.directions;

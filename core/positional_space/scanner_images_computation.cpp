@@ -212,7 +212,9 @@ ScannerImages::Data assemble(const ScannerProfile& profile, const PositionalSpac
 ScannerImages computeScannerImages(const ScannerProfile& profile, const Progress& progress) {
   const PositionalSpaceGrid grid = makePositionalSpaceGrid(profile, progress.part(0.0, 0.1));
   const Periods periods = periodsOf(profile.workspace, grid.columns());
+  progress.checkpoint(0.1);
   const RayFan fan(*profile.rays, 4.0 * grid.shape().radius);
+  progress.checkpoint(0.1);
   std::vector<std::vector<Entry>> images(periods.images(static_cast<int>(profile.workspace.size())));
   parallelChunks(images.size(), 1, progress.part(0.1, 0.9), [&](std::size_t begin, std::size_t end) {
     for (std::size_t b = begin; b < end; ++b)
