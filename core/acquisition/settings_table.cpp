@@ -229,6 +229,10 @@ std::vector<SettingField> registrationFields() {
       number<&Settings::registration, &Icp::limits, &Limits::maxMotion>(
           Expert, "verdict.max_motion", "Largest motion", "", 0, 1e6, "7",
           "Farther from the start pose than so many sigmas of the prior a registration has failed."),
+      number<&Settings::registration, &Icp::limits, &Limits::heldTolerance>(
+          Expert, "verdict.held_tolerance", "Tolerance of held scans", "", 0, 1e6, "1000",
+          "Where the mechanics alone hold a motion of a scan, it has failed when conflicts or residual exceed so many "
+          "times what is doubtful."),
       number<&Settings::registration, &Icp::limits, &Limits::maxPoseSigma>(
           Expert, "verdict.max_pose_sigma", "Largest pose sigma", "mm", 0, 1e6, "0.1",
           "With a less certain pose, going by the pairs alone, a registration is doubtful; auto follows the spacing."),

@@ -17,6 +17,11 @@ std::optional<Finding> failure(const Evidence& e, const VerdictLimits& limits) {
   if (e.conflictShare > limits.maxConflicts) return Finding{VerdictReason::Conflicts, e.conflictShare, {}};
   if (e.residual > limits.maxResidual) return Finding{VerdictReason::Residual, e.residual, {}};
   if (e.motion > limits.maxMotion) return Finding{VerdictReason::Motion, e.motion, {}};
+  // Where the surface does not hold the pose by itself, a doubt about the surface is one too many.
+  if (e.heldByPrior > 0 && e.conflictShare > limits.heldTolerance * limits.doubtfulConflicts)
+    return Finding{VerdictReason::Conflicts, e.conflictShare, {}};
+  if (e.heldByPrior > 0 && e.residual > limits.heldTolerance * limits.doubtfulResidual)
+    return Finding{VerdictReason::Residual, e.residual, {}};
   return std::nullopt;
 }
 

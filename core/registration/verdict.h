@@ -19,16 +19,18 @@ enum class Verdict : std::uint8_t {
 
 /// When a registration is doubtful and when it has failed.
 struct VerdictLimits {
-  std::size_t minPairs = 100;          ///< fewer: failed
-  std::size_t fewPairs = 400;          ///< fewer: doubtful
-  double minInlierShare = 0.4;         ///< of the expected overlap; less: failed
-  double lowInlierShare = 0.75;        ///< less: doubtful
-  double doubtfulConflicts = 0.04;     ///< share of points the scanner looked through
-  double maxConflicts = 0.15;          ///< more: failed
-  double doubtfulResidual = 2.0;       ///< robust residual, in multiples of what noise and spacing explain
-  double maxResidual = 4.0;            ///< more: failed
-  double doubtfulMotion = 4.0;         ///< distance from the start pose in sigmas of the prior
-  double maxMotion = 7.0;              ///< more: failed
+  std::size_t minPairs = 100;       ///< fewer: failed
+  std::size_t fewPairs = 400;       ///< fewer: doubtful
+  double minInlierShare = 0.4;      ///< of the expected overlap; less: failed
+  double lowInlierShare = 0.75;     ///< less: doubtful
+  double doubtfulConflicts = 0.04;  ///< share of points the scanner looked through
+  double maxConflicts = 0.15;       ///< more: failed
+  double doubtfulResidual = 2.0;    ///< robust residual, in multiples of what noise and spacing explain
+  double maxResidual = 4.0;         ///< more: failed
+  double doubtfulMotion = 4.0;      ///< distance from the start pose in sigmas of the prior
+  double maxMotion = 7.0;           ///< more: failed
+  double heldTolerance =
+      1.0;  ///< where the mechanics alone hold a motion, so many times doubtful conflicts or residual: failed
   std::optional<double> maxPoseSigma;  ///< of the pairs alone [mm]; more: doubtful; unset: by the scale of the scans
 };
 

@@ -297,12 +297,19 @@ Mesh Session::object(const Progress& progress) const {
   guard.unlock();
   if (!stored) throw InvalidInput(path() + ": has no object that a simulated scanner could look at");
   if (stored->mesh) return std::move(*stored->mesh);
-  Mesh object = loadPlacedMesh(settings.simulation.object, {settings.simulation.placement, settings.simulation.unit},
-                               profile()->viewingVolume, progress)
-                    .mesh;
+  if (!profile())
+    throw InvalidInput(path() + ": its scanner profile is lost, without which its object cannot be placed");
+  const std::string& file = settings.simulation.object;
+  const PlacementOptions placement{settings.simulation.placement, settings.simulation.unit};
+  Mesh object;
+  try {
+    object = loadPlacedMesh(file, placement, profile()->viewingVolume, progress).mesh;
+  } catch (const InvalidInput&) {
+    // The file is named by a session from anywhere: what is in it is nobody's business.
+    throw InvalidInput(file + ": is not the mesh that " + path() + " was begun with, which needs it as it was");
+  }
   if (hashText(contentHash(object)) != stored->hash)
-    throw InvalidInput(settings.simulation.object + ": has changed since " + path() +
-                       " was begun, which needs it as it was");
+    throw InvalidInput(file + ": has changed since " + path() + " was begun, which needs it as it was");
   return object;
 }
 

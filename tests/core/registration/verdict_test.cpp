@@ -60,6 +60,23 @@ TEST(Verdict, NamesTheMotionsThatThePriorAloneHolds) {
   EXPECT_EQ(judge(e, {}).finding, (Finding{VerdictReason::HeldByMechanics, {}, e.stability.weakMotions}));
 }
 
+// The surface lets go of a motion and disagrees beside: nothing is left that speaks for the pose.
+TEST(Verdict, ADoubtIsOneTooManyWhereTheMechanicsHoldThePose) {
+  Evidence e = sound();
+  e.heldByPrior = 1;
+  e.conflictShare = 0.05;
+  EXPECT_EQ(judge(e, {}).verdict, Verdict::Failed);
+  EXPECT_EQ(judge(e, {}).finding, (Finding{VerdictReason::Conflicts, 0.05, {}}));
+  VerdictLimits tolerant;
+  tolerant.heldTolerance = 2.0;
+  EXPECT_EQ(judge(e, tolerant).verdict, Verdict::Doubtful);
+  e.conflictShare = 0.0;
+  e.residual = 2.5;
+  EXPECT_EQ(judge(e, {}).finding, (Finding{VerdictReason::Residual, 2.5, {}}));
+  e.heldByPrior = 0;
+  EXPECT_EQ(judge(e, {}).verdict, Verdict::Doubtful);
+}
+
 TEST(Verdict, HasAName) {
   EXPECT_EQ(name(Verdict::Good), "good");
   EXPECT_EQ(name(Verdict::Doubtful), "doubtful");

@@ -10,6 +10,7 @@
 #include "session/loss.h"
 #include "session/session.h"
 #include "session/session_blobs.h"
+#include "session/session_schema.h"
 #include "session/state_hash.h"
 #include "support/scenes/small_scene.h"
 #include "support/test_data.h"
@@ -89,6 +90,22 @@ TEST_F(SessionDamage, IsCopiedBeforeAnythingIsWritten) {
   EXPECT_EQ(theLoss(session.losses(), LossKind::Copied).name, path() + ".damaged-1");
   session.setNote("page", "review");
   EXPECT_EQ(countScans(*session.state(), ScanStatus::In), 2U);
+}
+
+TEST_F(SessionDamage, AnObjectWithoutItsMeshAndAProfileThatIsLostAreSaid) {
+  change("UPDATE object SET mesh = NULL");
+  {
+    Database database(path(), Database::Mode::Write);
+    addSums(database, "object");
+    database.run("DELETE FROM file");
+  }
+  const Session session = Session::open(path(), SessionAccess::Read);
+  try {
+    static_cast<void>(session.object());
+    FAIL() << "there is no object";
+  } catch (const InvalidInput& e) {
+    EXPECT_NE(std::string(e.what()).find("profile is lost"), std::string::npos) << e.what();
+  }
 }
 
 // Pages in the middle of the file are overwritten one at a time.
