@@ -230,7 +230,7 @@ std::vector<SettingField> registrationFields() {
           Expert, "verdict.max_motion", "Largest motion", "", 0, 1e6, "7",
           "Farther from the start pose than so many sigmas of the prior a registration has failed."),
       number<&Settings::registration, &Icp::limits, &Limits::heldTolerance>(
-          Expert, "verdict.held_tolerance", "Tolerance of held scans", "", 0, 1e6, "1000",
+          Expert, "verdict.held_tolerance", "Tolerance of held scans", "", 0, 1e6, "1",
           "Where the mechanics alone hold a motion of a scan, it has failed when conflicts or residual exceed so many "
           "times what is doubtful."),
       number<&Settings::registration, &Icp::limits, &Limits::maxPoseSigma>(
