@@ -80,9 +80,11 @@ class HistoryReader {
             intact("step") + " FROM step",
         [&](const Statement& row, const std::string& what) {
           auto outline = std::make_shared<StateOutline>();
-          outline->settings = settingsFromText(row.text(4), what);
+          outline->settings =
+              parsed(settings_, row.text(4), [&](const std::string& text) { return settingsFromText(text, what); });
           outline->mode = modeFromName(row.text(5), what);
-          outline->stands = standsFromText(row.text(6), what);
+          outline->stands =
+              parsed(stands_, row.text(6), [&](const std::string& text) { return standsFromText(text, what); });
           if (const auto chosen = row.optionalInteger(7)) outline->chosenPosition = bounded(*chosen);
           outline->termination = terminationFromName(row.text(8), what);
           outline->modelStep = row.integer(10);
