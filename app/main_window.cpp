@@ -197,14 +197,15 @@ void MainWindow::connectController() {
 }
 
 void MainWindow::refreshActions() {
-  allow(*undo_, controller_.permissions().whyNotUndo());
-  allow(*redo_, controller_.permissions().whyNotRedo());
-  allow(*run_, controller_.permissions().whyNotRun());
-  allow(*step_, controller_.permissions().whyNotScan());
+  const Permissions may = controller_.permissions();
+  allow(*undo_, may.whyNotUndo());
+  allow(*redo_, may.whyNotRedo());
+  allow(*run_, may.whyNotRun());
+  allow(*step_, may.whyNotScan());
   allow(*pause_, controller_.activity() == Activity::Running ? QString() : tr("Nothing runs that could pause."));
   allow(*stop_, controller_.idle() ? tr("Nothing runs that could be stopped.") : QString());
-  allow(*close_, controller_.permissions().whyNotClose());
-  allow(*open_, controller_.idle() ? QString() : tr("Something else is under way."));
+  allow(*close_, may.whyNotClose());
+  allow(*open_, may.whyNotOpen());
 }
 
 // The session of last time is found again by its path.

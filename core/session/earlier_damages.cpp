@@ -28,7 +28,9 @@ std::string textIn(const Json& json, const char* key) {
   return at != json.end() && at->is_string() ? at->get<std::string>() : std::string();
 }
 
-// What a position score was hashed as: what it fixed worst was a sentence.
+// From here on everything is as it was hashed at that time. It never changes, whatever becomes of state_hash.cpp.
+
+// What a position score fixed worst was a sentence.
 void addScore(ContentHash& hash, const PositionScore& score, const std::string& worst) {
   hash.add(score.position);
   hash.add(score.voidArea);

@@ -21,18 +21,19 @@ constexpr const char* kDamages = "damages";
 // A sound database as this version sees it, and how much of it is not as it was written.
 struct Look {
   SessionStore store;
+  std::vector<Loss> untrue;  ///< steps that are not as an earlier version wrote them
   std::size_t damages;
 };
 
 Look lookAt(Database database) {
-  std::size_t damages = 0;
+  std::vector<Loss> untrue;
   if (const int version = checkSessionTables(database); version != kSessionSchema) {
-    damages = earlierDamages(database, version).size();
+    untrue = earlierDamages(database, version);
     database = database.copyInMemory();
     migrateSession(database);
   }
-  Look look{SessionStore(std::move(database)), damages};
-  look.damages += checkRows(look.store).size();
+  Look look{SessionStore(std::move(database)), std::move(untrue), 0};
+  look.damages = look.untrue.size() + checkRows(look.store).size();
   return look;
 }
 
@@ -64,12 +65,12 @@ Preparation prepareForWriting(const std::string& path, std::vector<Loss>& losses
   bool sound = true;
   {
     Database database(path, Database::Mode::Read);
-    const int version = checkSessionTables(database);
+    static_cast<void>(checkSessionTables(database));
     sound = database.sound();
     if (sound) {
-      preparation.untrue = earlierDamages(database, version);
-      losses = preparation.untrue;
       Look look = lookAt(std::move(database));
+      preparation.untrue = look.untrue;
+      losses = look.untrue;
       if (look.damages == 0 || copiedBefore(look.store, path, look.damages)) return {};
     }
   }

@@ -106,36 +106,25 @@ expect 0 "views: 1" "$cli" info "$work/replaced/session.vantage"
 "$cli" acquire --object "$mug" --scanner "$scanner" --out "$work/one" --max-views 2 --threads 1 >/dev/null 2>&1
 cmp "$work/run/model.ply" "$work/one/model.ply" || failures=$((failures + 1))
 
-# Interrupted: exit code 3, and a session that opens.
-"$cli" acquire --object "$mug" --scanner "$scanner" --out "$work/stopped" >"$work/log" 2>&1 &
-pid=$!
-for _ in $(seq 100); do
-  grep -q "^view 1" "$work/log" && break
-  sleep 0.1
+# Interrupted, and left by its terminal: exit code 3, and a session that opens.
+for signal in INT HUP; do
+  "$cli" acquire --object "$mug" --scanner "$scanner" --out "$work/stopped-$signal" >"$work/log" 2>&1 &
+  pid=$!
+  for _ in $(seq 100); do
+    grep -q "^view 1" "$work/log" && break
+    sleep 0.1
+  done
+  kill -$signal $pid
+  wait $pid
+  code=$?
+  [[ $code -eq 3 ]] || { echo "FAIL: exit code $code after SIG$signal, expected 3"; failures=$((failures + 1)); }
+  expect 0 "session" "$cli" info "$work/stopped-$signal/session.vantage"
 done
-kill -INT $pid
-wait $pid
-code=$?
-[[ $code -eq 3 ]] || { echo "FAIL: exit code $code after SIGINT, expected 3"; failures=$((failures + 1)); }
-expect 0 "session" "$cli" info "$work/stopped/session.vantage"
-
-# A terminal that goes away is a stop like any other.
-"$cli" acquire --object "$mug" --scanner "$scanner" --out "$work/hung" >"$work/log" 2>&1 &
-pid=$!
-for _ in $(seq 100); do
-  grep -q "^view 1" "$work/log" && break
-  sleep 0.1
-done
-kill -HUP $pid
-wait $pid
-code=$?
-[[ $code -eq 3 ]] || { echo "FAIL: exit code $code after SIGHUP, expected 3"; failures=$((failures + 1)); }
-expect 0 "session" "$cli" info "$work/hung/session.vantage"
 
 # What cannot be written is said: standard output, and a file that may not grow.
 expect 1 "standard output" bash -c "'$cli' info '$mug' >/dev/full"
 expect 1 "standard output" bash -c "'$cli' --help >/dev/full"
-expect 1 "cannot be written" bash -c "ulimit -f 64; '$cli' export '$work/hung/session.vantage' --out '$work/small.ply'"
+expect 1 "cannot be written" bash -c "ulimit -f 64; '$cli' export '$work/stopped-HUP/session.vantage' --out '$work/small.ply'"
 [[ -e $work/small.ply ]] && { echo "FAIL: half a model was left"; failures=$((failures + 1)); }
 expect 1 "" bash -c "ulimit -f 64; '$cli' acquire --object '$mug' --scanner '$scanner' --out '$work/limited'"
 [[ -z $(find "$work" -name "*.part" -o -name "*.new") ]] || { echo "FAIL: unfinished files are left"; failures=$((failures + 1)); }
