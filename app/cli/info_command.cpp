@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <memory>
 
 #include "base/plain_text.h"
@@ -30,9 +31,15 @@ void addSessionFacts(const std::string& path, CommandContext& context, FileInfo&
   info.facts.emplace_back("object", outline.settings.simulation.object);
   if (const auto model = session.model(history.cursor()))
     info.facts.emplace_back("model_triangles", static_cast<std::int64_t>(model->mesh.triangles.size()));
-  info.facts.emplace_back("checked",
-                          std::string("every row against its sum, every step against its hash, where it has one"));
-  info.facts.emplace_back("damages", static_cast<std::int64_t>(session.losses().size()));
+  const std::vector<Loss> losses = session.losses();
+  const bool partly =
+      std::any_of(losses.begin(), losses.end(), [](const Loss& loss) { return loss.kind == LossKind::StepsUnread; });
+  info.facts.emplace_back(
+      "checked",
+      partly ? std::string("the last steps, with every row that they need against its sum and every one of "
+                           "them against its hash; not the steps before, nor whether the whole file is readable")
+             : std::string("every row against its sum, every step against its hash, where it has one"));
+  info.facts.emplace_back("damages", std::int64_t{std::count_if(losses.begin(), losses.end(), isDamage)});
 }
 
 void run(const std::string& path, CommandContext& context) {

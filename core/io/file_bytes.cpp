@@ -7,6 +7,7 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
+#include <limits>
 #include <utility>
 
 #include "base/errors.h"
@@ -68,7 +69,8 @@ FileBytes::FileBytes(std::string path, std::uintmax_t limit)
 }
 
 std::string readHead(const std::string& path, std::size_t count) {
-  std::string head(std::min(count, checkedFileSize(path)), '\0');
+  const std::size_t size = checkedFileSize(path, std::numeric_limits<std::uintmax_t>::max());
+  std::string head(std::min(count, size), '\0');
   head.resize(OpenFile(path).read(head.data(), head.size()));
   return head;
 }

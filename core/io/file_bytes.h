@@ -32,7 +32,7 @@ class FileBytes {
 };
 
 /// The first `count` bytes of a file, or all of it when it is shorter.
-/// @throws IoError as FileBytes.
+/// @throws IoError as FileBytes; no file is too large for it.
 [[nodiscard]] std::string readHead(const std::string& path, std::size_t count);
 
 /// A file of text in UTF-16, told by its byte order mark, as bytes of which only ASCII is kept ('?' for the rest);

@@ -41,6 +41,11 @@ Phrase phraseOf(const Loss& loss, const std::string& path) {
       return words("%1: %2 files of the scanner's profile are lost", {session, number});
     case LossKind::ObjectChanged:
       return words("%1: the object of the simulated scanner is not the one that was kept", {session});
+    case LossKind::MoreDamaged:
+      return words("%1: %2 more of %3 are damaged", {session, number, name});
+    case LossKind::StepsUnread:
+      return words("%1: has very many steps; those before step %2 were not read, and stay in the file",
+                   {session, number});
     case LossKind::RowDamaged:
     case LossKind::ScanDamaged:
     case LossKind::PlanDamaged:

@@ -26,8 +26,10 @@ enum class LossKind : std::uint8_t {
   StateUntrue,           ///< number: the step that is not as it was written, and cannot be made again
   FilesLost,             ///< number: how many of the profile's files are missing
   ObjectChanged,         ///< the object of the simulated scanner is not the one that was kept
+  MoreDamaged,           ///< number: how many more of `name` are damaged, beyond those that are named
+  StepsUnread,           ///< number: the first step that was read of a file that has very many
 };
-inline constexpr LossKind kLastLossKind = LossKind::ObjectChanged;
+inline constexpr LossKind kLastLossKind = LossKind::StepsUnread;
 
 /// One damage of a session, without words: those are in report/loss_wording.h.
 struct Loss {
@@ -38,5 +40,13 @@ struct Loss {
 
   bool operator==(const Loss&) const = default;
 };
+
+/// So many rows or steps with the same kind of damage are named. Of the others there is a count.
+inline constexpr std::int64_t kMostNamed = 100;
+
+/// Whether it means that something is not as it was written.
+[[nodiscard]] inline bool isDamage(const Loss& loss) {
+  return loss.kind != LossKind::Copied && loss.kind != LossKind::StepsUnread;
+}
 
 }  // namespace vantage

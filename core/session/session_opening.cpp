@@ -1,5 +1,6 @@
 #include "session/session_opening.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <utility>
 
@@ -10,6 +11,7 @@
 #include "session/session_rescue.h"
 #include "session/session_schema.h"
 #include "session/session_store.h"
+#include "session/stored_history.h"
 
 namespace vantage {
 namespace {
@@ -17,6 +19,28 @@ namespace {
 // The settings of a file by which a copy of its damages is known, so that it is not copied again every time.
 constexpr const char* kCopy = "damaged_copy";
 constexpr const char* kDamages = "damages";
+
+std::size_t damagesOf(SessionStore& store) {
+  const std::vector<Loss> losses = checkRows(store);
+  return static_cast<std::size_t>(std::count_if(losses.begin(), losses.end(), isDamage));
+}
+
+// Whether the whole database can be read. Where only the last steps of very many are, what is read is looked at while
+// it is.
+bool isSound(Database& database) {
+  try {
+    if (firstStepRead(database)) return true;
+  } catch (const IoError&) {
+    return false;
+  }
+  return database.sound();
+}
+
+void mustBeBroughtUpToDate(Database& database) {
+  if (firstStepRead(database))
+    throw InvalidInput(database.path() + ": is a session of an earlier version with more than " +
+                       std::to_string(kMostSteps) + " steps, which none has; it stays as it is");
+}
 
 // A sound database as this version sees it, and how much of it is not as it was written.
 struct Look {
@@ -28,12 +52,13 @@ struct Look {
 Look lookAt(Database database) {
   std::vector<Loss> untrue;
   if (const int version = checkSessionTables(database); version != kSessionSchema) {
+    mustBeBroughtUpToDate(database);
     untrue = earlierDamages(database, version);
     database = database.copyInMemory();
     migrateSession(database);
   }
   Look look{SessionStore(std::move(database)), std::move(untrue), 0};
-  look.damages = look.untrue.size() + checkRows(look.store).size();
+  look.damages = look.untrue.size() + damagesOf(look.store);
   return look;
 }
 
@@ -66,7 +91,7 @@ Preparation prepareForWriting(const std::string& path, std::vector<Loss>& losses
   {
     Database database(path, Database::Mode::Read);
     static_cast<void>(checkSessionTables(database));
-    sound = database.sound();
+    sound = isSound(database);
     if (sound) {
       Look look = lookAt(std::move(database));
       preparation.untrue = look.untrue;
@@ -84,7 +109,7 @@ Preparation prepareForWriting(const std::string& path, std::vector<Loss>& losses
 
 // What the file itself does not tell any more.
 void remember(SessionStore& store, const Preparation& preparation) {
-  const std::size_t damages = checkRows(store).size();
+  const std::size_t damages = damagesOf(store);
   Database::Transaction transaction(store.database());
   store.setMeta(kCopy, preparation.copy);
   store.setMeta(kDamages, std::to_string(damages));
@@ -97,13 +122,14 @@ void remember(SessionStore& store, const Preparation& preparation) {
 Database openSessionForReading(const std::string& path, std::vector<Loss>& losses) {
   Database database(path, Database::Mode::Read);
   const int version = checkSessionTables(database);
-  if (!database.sound()) {
+  if (!isSound(database)) {
     Database copy = Database::inMemory(path);
     losses = rescueRows(database, copy);
     if (version != kSessionSchema) migrateSession(copy);
     return copy;
   }
   if (version == kSessionSchema) return database;
+  mustBeBroughtUpToDate(database);
   losses = earlierDamages(database, version);
   Database copy = database.copyInMemory();
   migrateSession(copy);

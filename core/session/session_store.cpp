@@ -89,12 +89,22 @@ void SessionStore::setUntrue(const std::vector<Loss>& steps) {
 }
 
 std::vector<Loss> SessionStore::changedRows(const std::string& table) {
+  const std::string key = keyOf(table);
+  const std::string from = firstStepRead(database_) ? "(SELECT * FROM " + table + " ORDER BY " + key + " DESC LIMIT " +
+                                                          std::to_string(kMostSteps) + ")"
+                                                    : table;
   std::vector<Loss> losses;
-  Statement rows =
-      database_.prepare(std::string("SELECT ") + keyOf(table) + " FROM " + table + " WHERE NOT " + intact(table));
-  while (rows.step())
+  std::int64_t more = 0;
+  Statement rows = database_.prepare("SELECT " + key + " FROM " + from + " WHERE NOT " + intact(table));
+  while (rows.step()) {
+    if (static_cast<std::int64_t>(losses.size()) == kMostNamed) {
+      ++more;
+      continue;
+    }
     losses.push_back({LossKind::RowDamaged, rows.integer(0), table,
                       path() + ": " + table + " " + rows.text(0) + " is damaged: it is not as it was written"});
+  }
+  if (more > 0) losses.push_back({LossKind::MoreDamaged, more, table, {}});
   return losses;
 }
 

@@ -56,7 +56,8 @@ class SessionStore {
   [[nodiscard]] std::vector<Loss> untrue();
   void setUntrue(const std::vector<Loss>& steps);
 
-  /// The rows of a table that are not as they were written.
+  /// The rows of a table that are not as they were written; of a file with very many steps the last kMostSteps are
+  /// looked at.
   [[nodiscard]] std::vector<Loss> changedRows(const std::string& table);
 
   /// One more than the highest number of a scan.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <limits>
 #include <set>
 #include <utility>
 
@@ -39,6 +40,8 @@ class HistoryReader {
   explicit HistoryReader(Database& database) : database_(database) {}
 
   StoredHistory read(std::int64_t tip, std::int64_t cursor) {
+    first_ = firstStepRead(database_);
+    if (first_) lose({LossKind::StepsUnread, *first_, {}, {}});
     readSteps();
     followPath(tip);
     readRecords();
@@ -46,6 +49,8 @@ class HistoryReader {
     for (const std::int64_t step : path_) take(step);
     for (std::size_t i = 0; i < result_.entries.size(); ++i)
       if (result_.entries[i].step <= cursor) result_.cursor = i;
+    for (const auto& [what, count] : named_)
+      if (count > kMostNamed) result_.losses.push_back({LossKind::MoreDamaged, count - kMostNamed, what.second, {}});
     return std::move(result_);
   }
 
@@ -71,13 +76,26 @@ class HistoryReader {
     }
   }
 
-  void lose(Loss loss) { result_.losses.push_back(std::move(loss)); }
+  void lose(Loss loss) {
+    const std::int64_t count = ++named_[{loss.kind, loss.name.empty() ? "step" : loss.name}];
+    if (count <= kMostNamed) result_.losses.push_back(std::move(loss));
+  }
+
+  // The first row of the table view that is read. Steps are written one after the other, and their views with them.
+  std::int64_t firstView() {
+    if (!first_) return 0;
+    std::int64_t view = std::numeric_limits<std::int64_t>::max();
+    Statement rows = database_.prepare("SELECT id, step FROM view ORDER BY id DESC");
+    while (rows.step() && rows.integer(1) >= *first_) view = rows.integer(0);
+    return view;
+  }
 
   void readSteps() {
     forEach(
         "step",
         "SELECT id, parent, kind, command, settings, mode, stands, chosen, termination, views, model, plan, hash, " +
-            intact("step") + " FROM step",
+            intact("step") +
+            " FROM step WHERE id >= " + std::to_string(first_.value_or(std::numeric_limits<std::int64_t>::min())),
         [&](const Statement& row, const std::string& what) {
           auto outline = std::make_shared<StateOutline>();
           outline->settings =
@@ -143,7 +161,8 @@ class HistoryReader {
   void readViews() {
     forEach("view",
             "SELECT v.id, v.step, v.scan, v.status, v.pose, v.record, v.plan, s.stand, s.position, " +
-                intact("view", "v") + " FROM view v LEFT JOIN scan s ON s.id = v.scan ORDER BY v.step, v.place, v.id",
+                intact("view", "v") + " FROM view v LEFT JOIN scan s ON s.id = v.scan WHERE v.id >= " +
+                std::to_string(firstView()) + " ORDER BY v.step, v.place, v.id",
             [&](const Statement& row, const std::string& what) {
               const std::int64_t step = row.integer(1);
               if (!onPath_.contains(step)) return;
@@ -173,6 +192,8 @@ class HistoryReader {
   }
 
   Database& database_;
+  std::optional<std::int64_t> first_;
+  std::map<std::pair<LossKind, std::string>, std::int64_t> named_;
   StoredHistory result_;
   std::map<std::int64_t, StepRow> steps_;
   std::map<std::int64_t, std::shared_ptr<StateOutline>> outlines_;
@@ -185,6 +206,15 @@ class HistoryReader {
 };
 
 }  // namespace
+
+std::optional<std::int64_t> firstStepRead(Database& database) {
+  Statement last = database.prepare("SELECT id FROM step ORDER BY id DESC LIMIT 1 OFFSET ?");
+  if (!last.bind(1, kMostSteps - 1).step()) return std::nullopt;
+  const std::int64_t first = last.integer(0);
+  Statement before = database.prepare("SELECT 1 FROM step WHERE id < ? LIMIT 1");
+  if (!before.bind(1, first).step()) return std::nullopt;
+  return first;
+}
 
 StoredHistory readHistory(Database& database, std::int64_t tip, std::int64_t cursor) {
   return HistoryReader(database).read(tip, cursor);
