@@ -27,17 +27,18 @@ std::size_t damagesOf(SessionStore& store) {
 
 // Whether the whole database can be read. Where only the last steps of very many are, what is read is looked at while
 // it is.
-bool isSound(Database& database) {
+bool isSound(Database& database, int version) {
   try {
-    if (firstStepRead(database)) return true;
+    if (version > 1 && firstStepRead(database)) return true;
   } catch (const IoError&) {
     return false;
   }
   return database.sound();
 }
 
-void mustBeBroughtUpToDate(Database& database) {
-  if (firstStepRead(database))
+// Version 1 had no steps.
+void mustHaveFewSteps(Database& database, int version) {
+  if (version > 1 && firstStepRead(database))
     throw InvalidInput(database.path() + ": is a session of an earlier version with more than " +
                        std::to_string(kMostSteps) + " steps, which none has; it stays as it is");
 }
@@ -52,7 +53,7 @@ struct Look {
 Look lookAt(Database database) {
   std::vector<Loss> untrue;
   if (const int version = checkSessionTables(database); version != kSessionSchema) {
-    mustBeBroughtUpToDate(database);
+    mustHaveFewSteps(database, version);
     untrue = earlierDamages(database, version);
     database = database.copyInMemory();
     migrateSession(database);
@@ -90,8 +91,7 @@ Preparation prepareForWriting(const std::string& path, std::vector<Loss>& losses
   bool sound = true;
   {
     Database database(path, Database::Mode::Read);
-    static_cast<void>(checkSessionTables(database));
-    sound = isSound(database);
+    sound = isSound(database, checkSessionTables(database));
     if (sound) {
       Look look = lookAt(std::move(database));
       preparation.untrue = look.untrue;
@@ -122,14 +122,14 @@ void remember(SessionStore& store, const Preparation& preparation) {
 Database openSessionForReading(const std::string& path, std::vector<Loss>& losses) {
   Database database(path, Database::Mode::Read);
   const int version = checkSessionTables(database);
-  if (!isSound(database)) {
+  if (!isSound(database, version)) {
     Database copy = Database::inMemory(path);
     losses = rescueRows(database, copy);
     if (version != kSessionSchema) migrateSession(copy);
     return copy;
   }
   if (version == kSessionSchema) return database;
-  mustBeBroughtUpToDate(database);
+  mustHaveFewSteps(database, version);
   losses = earlierDamages(database, version);
   Database copy = database.copyInMemory();
   migrateSession(copy);
