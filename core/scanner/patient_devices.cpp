@@ -47,6 +47,10 @@ RangeImage PatientSensor::capture(const Progress& progress) {
       "scanning", [sensor = sensor_](const Progress& inner) { return sensor->capture(inner); }, progress);
 }
 
+void PatientSensor::standAt(const ReachedPose& pose) {
+  if (!patience_.hanging()) sensor_->standAt(pose);
+}
+
 PatientPositioner::PatientPositioner(std::shared_ptr<Positioner> positioner, std::chrono::milliseconds patience)
     : positioner_(std::move(positioner)), identity_(positioner_->identity()), patience_(identity_, patience) {}
 

@@ -2,9 +2,12 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 
+#include "scanner/mechanics.h"
 #include "scanner/ray_grid.h"
+#include "scanner/table_calibration.h"
 #include "scanner/workspace.h"
 
 namespace vantage {
@@ -19,12 +22,6 @@ struct ViewingVolume {
 struct RangeNoise {
   double rangeSigma = 0.0;  ///< along the ray [mm]
   double dropout = 0.0;     ///< share of samples lost, 0..1
-};
-
-/// Turntable errors of each move, in the simulated scanner; the prior of every registration.
-struct Mechanics {
-  double angleSigma = 0.0;     ///< rotation about z [rad]
-  double positionSigma = 0.0;  ///< translation in x and in y [mm]
 };
 
 enum class PositionalSpaceSurface { Cylinder, Sphere };
@@ -49,6 +46,7 @@ struct ScannerProfile {
   ViewingVolume viewingVolume;
   PositionalSpaceSize positionalSpace;
   Mechanics mechanics;
+  std::optional<TableCalibration> calibration;  ///< of the table; the workspace's poses are as it says
 };
 
 /// A profile as it was read: its text, and the texts of the files that it names, by the names it uses.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "scanner/device.h"
+#include "scanner/positioner.h"
 #include "scanner/range_image.h"
 
 namespace vantage {
@@ -12,6 +13,10 @@ class RangeSensor : public Device {
   /// was taken from is for who moves the table to say (see scanFrom): pose and station are those of an empty image.
   /// @throws DeviceError that says what the operator can do about it, also when it is not ready; Cancelled
   [[nodiscard]] virtual RangeImage capture(const Progress& progress) = 0;
+
+  /// Hears before every capture where the positioner came to stand. Most sensors need not know; what runs a program or
+  /// replays scans does.
+  virtual void standAt(const ReachedPose& /*pose*/) {}
 };
 
 }  // namespace vantage

@@ -21,9 +21,11 @@ RangeImage scanFrom(const Rig& rig, int position, const Progress& progress) {
   requireReady(*rig.positioner);
   requireReady(*rig.sensor);
   const ReachedPose reached = rig.positioner->moveTo(position, progress.part(0.0, 0.3));
+  rig.sensor->standAt(reached);
   RangeImage image = rig.sensor->capture(progress.part(0.3, 1.0));
   image.T_table_scanner = reached.T_table_scanner;
   image.poseKnownBy = reached.knownBy;
+  image.poseUncertainty = reached.uncertainty;
   image.station.position = reached.position;
   return image;
 }

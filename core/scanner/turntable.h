@@ -1,0 +1,32 @@
+#pragma once
+
+#include <optional>
+
+#include "scanner/device.h"
+#include "scanner/station.h"
+
+namespace vantage {
+
+/// What a turntable says of its angle.
+struct TableAngle {
+  double degrees = 0.0;                      ///< as the table counts, not reduced to one turn
+  PoseSource knownBy = PoseSource::Unknown;  ///< Reported where the device tells it, Commanded where it cannot
+};
+
+/// A table that turns to an angle of its own count. Which way and how far it really turns is for its calibration to say
+/// (see TurntablePositioner).
+class Turntable : public Device {
+ public:
+  /// Turns, and returns when it is at rest there.
+  /// @throws DeviceError for whatever kept it from getting there, with what the operator can do about it; Cancelled:
+  /// the table was told to stop, and angle() says what is then known
+  [[nodiscard]] virtual TableAngle turnTo(double degrees, const Progress& progress) = 0;
+
+  /// Where it stands; nothing when that is not known: before the first move of some tables, after a reset. At once.
+  [[nodiscard]] virtual std::optional<TableAngle> angle() const = 0;
+
+  /// Makes where it stands, or its index, its zero. @throws DeviceError also when the table has nothing of the kind
+  virtual void home(const Progress& progress) = 0;
+};
+
+}  // namespace vantage
