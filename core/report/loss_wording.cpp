@@ -42,6 +42,7 @@ Phrase phraseOf(const Loss& loss, const std::string& path) {
     case LossKind::ObjectChanged:
       return words("%1: the object of the simulated scanner is not the one that was kept", {session});
     case LossKind::MoreDamaged:
+      if (loss.name.empty()) return words("%1: %2 more damages of this kind", {session, number});
       return words("%1: %2 more of %3 are damaged", {session, number, name});
     case LossKind::StepsUnread:
       return words("%1: has very many steps; those before step %2 were not read, and stay in the file",

@@ -7,6 +7,7 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "scanner/mechanics.h"
@@ -28,6 +29,7 @@ struct RangeImage {
   /// How far that may be off; nothing where only the scanner's profile says something.
   std::optional<Mechanics> poseUncertainty;
   Station station;
+  std::string takenWith;        ///< the devices, as they name themselves; empty where that is not known
   std::vector<Colour> colours;  ///< of the samples, one per ray; empty where the sensor sees none
 
   [[nodiscard]] bool valid(std::size_t i) const { return !std::isnan(range[i]); }

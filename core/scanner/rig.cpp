@@ -26,6 +26,7 @@ RangeImage scanFrom(const Rig& rig, int position, const Progress& progress) {
   image.T_table_scanner = reached.T_table_scanner;
   image.poseKnownBy = reached.knownBy;
   image.poseUncertainty = reached.uncertainty;
+  image.takenWith = rig.sensor->identity() + "; " + rig.positioner->identity();
   image.station.position = reached.position;
   return image;
 }

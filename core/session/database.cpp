@@ -174,6 +174,11 @@ std::optional<std::int64_t> Statement::optionalInteger(int column) const {
   return integer(column);
 }
 
+std::optional<double> Statement::optionalReal(int column) const {
+  if (sqlite3_column_type(statement_.get(), column) == SQLITE_NULL) return std::nullopt;
+  return real(column);
+}
+
 double Statement::real(int column) const {
   return sqlite3_column_double(statement_.get(), column);
 }

@@ -38,6 +38,8 @@ class Statement {
   /// Nothing for NULL.
   [[nodiscard]] std::optional<std::int64_t> optionalInteger(int column) const;
   [[nodiscard]] double real(int column) const;
+  /// Nothing for NULL.
+  [[nodiscard]] std::optional<double> optionalReal(int column) const;
   [[nodiscard]] std::string text(int column) const;
   [[nodiscard]] std::vector<std::byte> blob(int column) const;
 

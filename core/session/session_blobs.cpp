@@ -170,6 +170,22 @@ std::vector<float> rangeFromBlob(std::span<const std::byte> blob, std::size_t ra
   return range;
 }
 
+std::vector<std::byte> coloursBlob(const std::vector<Colour>& colours) {
+  BlobWriter writer;
+  writer.list(colours);
+  return compressed(writer.bytes(), kTight);
+}
+
+std::vector<Colour> coloursFromBlob(std::span<const std::byte> blob, std::size_t rays, const std::string& what) {
+  const unsigned long long size = kCountBytes + rays * sizeof(Colour);
+  mustUnpackTo(size, blob, what);
+  const auto bytes = decompressed(blob, size, what);
+  BlobReader reader(bytes, what);
+  auto colours = reader.list<Colour>();
+  reader.finish();
+  return colours;
+}
+
 std::vector<std::byte> raysBlob(const RayGrid& rays) {
   std::vector<Vec3> origins;
   std::vector<Vec3> directions;

@@ -7,13 +7,18 @@
 
 #include "integration/model.h"
 #include "planning/plan.h"
-#include "scanner/ray_grid.h"
+#include "scanner/range_image.h"
 
 namespace vantage {
 
 /// The columns of a session file as bytes. Readers check every length: @throws InvalidInput naming `what`.
 [[nodiscard]] std::vector<std::byte> poseBlob(const Pose& pose);
 [[nodiscard]] Pose poseFromBlob(std::span<const std::byte> blob, const std::string& what);
+
+[[nodiscard]] std::vector<std::byte> coloursBlob(const std::vector<Colour>& colours);
+/// @param rays of the scan, as of rangeFromBlob
+[[nodiscard]] std::vector<Colour> coloursFromBlob(std::span<const std::byte> blob, std::size_t rays,
+                                                  const std::string& what);
 
 [[nodiscard]] std::vector<std::byte> rangeBlob(const std::vector<float>& range);
 /// @param rays of the scan: what unpacks to another number of ranges is refused without unpacking it

@@ -1,58 +1,69 @@
 #include "session/session_check.h"
 
-#include <algorithm>
-
 #include "base/errors.h"
 #include "geometry/geometry_hash.h"
+#include "session/loss_list.h"
 #include "session/session_schema.h"
 #include "session/session_states.h"
 
 namespace vantage {
 namespace {
 
-void append(std::vector<Loss>& losses, Loss loss) {
-  if (std::find(losses.begin(), losses.end(), loss) == losses.end()) losses.push_back(std::move(loss));
+// Numbers that no scan has any more.
+void checkNumbers(const SessionStore& store, const std::vector<std::int64_t>& numbers, LossList& losses) {
+  std::int64_t next = 0;
+  for (const std::int64_t number : numbers) {
+    for (; next < number; ++next)
+      losses.add(
+          {LossKind::ScanDamaged, next, {}, store.path() + ": scan " + std::to_string(next) + " does not exist"});
+    next = number + 1;
+  }
 }
 
-void checkScans(SessionStore& store, std::vector<Loss>& losses, const Progress& progress) {
-  SessionStates states(store, losses);
+void checkScans(SessionStore& store, LossList& losses, const Progress& progress) {
+  std::vector<Loss> ofStates;
+  SessionStates states(store, ofStates);
   try {
     states.setProfile(SessionStates::parsed(store.profileSource()));
   } catch (const InvalidInput& e) {
-    append(losses, {LossKind::RowDamaged, {}, "file", e.what()});
+    losses.add({LossKind::RowDamaged, {}, "file", e.what()});
   }
-  const std::int64_t count = store.scanCount();
-  for (std::int64_t number = 0; number < count; ++number) {
-    progress.checkpoint(static_cast<double>(number) / static_cast<double>(count));
+  static_cast<void>(store.scanCount());  // no number is out of all bounds
+  const std::vector<std::int64_t> numbers = store.scanNumbers();
+  checkNumbers(store, numbers, losses);
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    progress.checkpoint(static_cast<double>(i) / static_cast<double>(numbers.size()));
     try {
-      static_cast<void>(states.scan(number));
+      static_cast<void>(states.scan(numbers[i]));
     } catch (const InvalidInput& e) {
-      append(losses, {LossKind::ScanDamaged, number, {}, e.what()});
+      losses.add({LossKind::ScanDamaged, numbers[i], {}, e.what()});
     }
   }
+  for (Loss& loss : ofStates) losses.add(std::move(loss));
 }
 
-void checkObject(SessionStore& store, std::vector<Loss>& losses) {
+void checkObject(SessionStore& store, LossList& losses) {
   try {
     const auto object = store.object();
     if (object && object->mesh && hashText(contentHash(*object->mesh)) != object->hash)
-      append(losses, {LossKind::ObjectChanged, {}, {}, {}});
+      losses.add({LossKind::ObjectChanged, {}, {}, {}});
   } catch (const InvalidInput& e) {
-    append(losses, {LossKind::RowDamaged, 1, "object", e.what()});
+    losses.add({LossKind::RowDamaged, 1, "object", e.what()});
   }
 }
 
 }  // namespace
 
 std::vector<Loss> checkRows(SessionStore& store, const Progress& progress) {
-  std::vector<Loss> losses = store.history().losses;
-  if (const std::int64_t lost = store.lostFiles(); lost > 0) append(losses, {LossKind::FilesLost, lost, {}, {}});
+  LossList losses;
+  for (Loss& loss : store.history().losses) losses.add(std::move(loss));
+  if (const std::int64_t lost = store.lostFiles(); lost > 0) losses.add({LossKind::FilesLost, lost, {}, {}});
   // Those of the other tables are named by who reads them.
   for (const char* table : {"meta", "file", "rays", "plan", "model", "event"})
-    for (Loss& loss : store.changedRows(table)) append(losses, std::move(loss));
+    for (Loss& loss : store.changedRows(table)) losses.add(std::move(loss));
   checkObject(store, losses);
   checkScans(store, losses, progress);
-  return losses;
+  return losses.all();
 }
 
 }  // namespace vantage

@@ -212,7 +212,7 @@ void migrateFrom2(Database& database) {
 void migrateFrom3(Database& database) {
   for (const std::string& table : sessionTables(4)) {
     database.run("ALTER TABLE " + table + " ADD COLUMN sum INTEGER NOT NULL DEFAULT 0");
-    if (table != "meta") addSums(database, table);
+    if (table != "meta") addSums(database, table, 4);
   }
   Statement files = database.prepare("SELECT count(*) FROM file");
   files.step();
@@ -220,7 +220,25 @@ void migrateFrom3(Database& database) {
   database.prepare("INSERT OR REPLACE INTO meta(key, value) VALUES('schema', '4'), ('files', ?)")
       .bind(1, std::string_view(std::to_string(count)))
       .run();
-  addSums(database, "meta");
+  addSums(database, "meta", 4);
+}
+
+// Version 4 knew no uncertainty of a pose, no devices and no colours. Rows that were not as they were written stay so.
+void migrateFrom4(Database& database) {
+  // Both are renamed before any is made anew, see migrateFrom2.
+  for (const char* name : {"view", "scan"})
+    database.run(std::string("ALTER TABLE ") + name + " RENAME TO " + name + "4");
+  for (const char* name : {"scan", "view"}) createSessionTable(database, 5, name);
+  database.run(
+      "INSERT INTO scan SELECT id, stand, position, known_by, NULL, NULL, '', rays, nominal, range, NULL, 0 FROM "
+      "scan4");
+  addSums(database, "scan", 5);
+  database.run(
+      "UPDATE scan SET sum = ~sum WHERE id IN (SELECT id FROM scan4 WHERE sum <> row_sum('scan', id, stand, position, "
+      "known_by, rays, nominal, range))");
+  database.run("INSERT INTO view SELECT * FROM view4");
+  for (const char* name : {"view4", "scan4"}) database.run(std::string("DROP TABLE ") + name);
+  database.run("INSERT OR REPLACE INTO meta VALUES('schema', '5', row_sum('meta', 'schema', '5'))");
 }
 
 }  // namespace
@@ -236,7 +254,11 @@ void migrateSession(Database& database) {
     migrateFrom2(database);
     version = 3;
   }
-  if (version == 3) migrateFrom3(database);
+  if (version == 3) {
+    migrateFrom3(database);
+    version = 4;
+  }
+  if (version == 4) migrateFrom4(database);
   transaction.commit();
 }
 

@@ -62,6 +62,12 @@ constexpr Table kTables2[] = {
     kModel,
     kEvent};
 
+constexpr Table kStep{"step",
+                      "(id INTEGER PRIMARY KEY, parent INTEGER NOT NULL, kind TEXT NOT NULL, command TEXT NOT NULL, "
+                      "settings TEXT NOT NULL, mode TEXT NOT NULL, stands TEXT NOT NULL, chosen INTEGER, termination "
+                      "TEXT NOT NULL, views INTEGER NOT NULL, model INTEGER NOT NULL, plan INTEGER NOT NULL, hash TEXT "
+                      "NOT NULL)"};
+
 // Of versions 3 and, with sums, 4.
 constexpr Table kTables3[] = {
     kMeta,
@@ -71,10 +77,23 @@ constexpr Table kTables3[] = {
     {"scan",
      "(id INTEGER PRIMARY KEY, stand INTEGER NOT NULL, position INTEGER, known_by TEXT NOT NULL, rays INTEGER "
      "REFERENCES rays(id), nominal BLOB NOT NULL, range BLOB NOT NULL)"},
-    {"step",
-     "(id INTEGER PRIMARY KEY, parent INTEGER NOT NULL, kind TEXT NOT NULL, command TEXT NOT NULL, settings TEXT NOT "
-     "NULL, mode TEXT NOT NULL, stands TEXT NOT NULL, chosen INTEGER, termination TEXT NOT NULL, views INTEGER NOT "
-     "NULL, model INTEGER NOT NULL, plan INTEGER NOT NULL, hash TEXT NOT NULL)"},
+    kStep,
+    kView,
+    kRecord,
+    kPlan,
+    kModel,
+    kEvent};
+
+constexpr Table kTables5[] = {
+    kMeta,
+    kFile,
+    kObject,
+    kRays,
+    {"scan",
+     "(id INTEGER PRIMARY KEY, stand INTEGER NOT NULL, position INTEGER, known_by TEXT NOT NULL, angle_sigma REAL, "
+     "position_sigma REAL, taken_with TEXT NOT NULL, rays INTEGER REFERENCES rays(id), nominal BLOB NOT NULL, range "
+     "BLOB NOT NULL, colours BLOB)"},
+    kStep,
     kView,
     kRecord,
     kPlan,
@@ -91,16 +110,23 @@ std::string statementFor(const Table& table, int version) {
   return std::string("CREATE TABLE ") + table.name + columns;
 }
 
-const Table& tableOf(const std::string& name) {
-  const auto* table =
-      std::find_if(std::begin(kTables3), std::end(kTables3), [&](const Table& t) { return name == t.name; });
-  if (table == std::end(kTables3)) throw InvalidInput("a session has no table " + name);
+std::span<const Table> tablesOf(int version) {
+  if (version == 1) return kTables1;
+  if (version == 2) return kTables2;
+  if (version < kSessionSchema) return kTables3;
+  return kTables5;
+}
+
+const Table& tableOf(const std::string& name, int version) {
+  const std::span<const Table> tables = tablesOf(version);
+  const auto table = std::find_if(tables.begin(), tables.end(), [&](const Table& t) { return name == t.name; });
+  if (table == tables.end()) throw InvalidInput("a session has no table " + name);
   return *table;
 }
 
 // The first word of everything between the outermost commas.
-std::vector<std::string> columnsOf(const std::string& table) {
-  const std::string text = tableOf(table).columns;
+std::vector<std::string> columnsOf(const std::string& table, int version = kSessionSchema) {
+  const std::string text = tableOf(table, version).columns;
   std::vector<std::string> columns(1);
   int depth = 0;
   bool inName = true;
@@ -136,12 +162,6 @@ Schema schemaOf(Database& database) {
   return schema;
 }
 
-std::span<const Table> tablesOf(int version) {
-  if (version == 1) return kTables1;
-  if (version == 2) return kTables2;
-  return kTables3;
-}
-
 Schema schemaOf(int version) {
   Schema schema;
   for (const Table& table : tablesOf(version)) schema.push_back({"table", table.name, statementFor(table, version)});
@@ -170,7 +190,7 @@ void createSessionTable(Database& database, int version, const std::string& name
 void createSessionTables(Database& database, int version) {
   for (const Table& table : tablesOf(version)) database.run(statementFor(table, version));
   database.run("INSERT INTO meta(key, value) VALUES('schema', '" + std::to_string(version) + "')");
-  if (version >= kSums) addSums(database, "meta");
+  if (version >= kSums) addSums(database, "meta", version);
 }
 
 std::string insertInto(const std::string& table) {
@@ -186,15 +206,15 @@ std::string replaceIn(const std::string& table) {
   return insertInto(table).replace(0, std::string_view("INSERT").size(), "INSERT OR REPLACE");
 }
 
-std::string intact(const std::string& table, const std::string& alias) {
-  std::vector<std::string> columns = columnsOf(table);
+std::string intact(const std::string& table, const std::string& alias, int version) {
+  std::vector<std::string> columns = columnsOf(table, version);
   const std::string prefix = alias.empty() ? std::string() : alias + ".";
   for (std::string& column : columns) column.insert(0, prefix);
   return "(" + prefix + "sum = " + sumOf(table, columns) + ")";
 }
 
-void addSums(Database& database, const std::string& table) {
-  database.run("UPDATE " + table + " SET sum = " + sumOf(table, columnsOf(table)));
+void addSums(Database& database, const std::string& table, int version) {
+  database.run("UPDATE " + table + " SET sum = " + sumOf(table, columnsOf(table, version)));
 }
 
 const char* keyOf(const std::string& table) {

@@ -8,6 +8,7 @@
 #include "base/errors.h"
 #include "geometry/geometry_hash.h"
 #include "session/command_json.h"
+#include "session/loss_list.h"
 #include "session/session_blobs.h"
 #include "session/session_json.h"
 #include "session/session_schema.h"
@@ -30,6 +31,14 @@ std::int64_t numberIn(const std::string& text) {
   std::int64_t number = 0;
   std::from_chars(text.data(), text.data() + text.size(), number);
   return number;
+}
+
+// The columns `column` (of the angle [rad]) and `column` + 1 (of the place [mm]).
+std::optional<Mechanics> uncertaintyOf(const Statement& row, int column) {
+  const auto angle = row.optionalReal(column);
+  const auto place = row.optionalReal(column + 1);
+  if (!angle || !place) return std::nullopt;
+  return Mechanics{*angle, *place};
 }
 
 void mustBeIntact(const Statement& row, int column, const std::string& what) {
@@ -93,19 +102,12 @@ std::vector<Loss> SessionStore::changedRows(const std::string& table) {
   const std::string from = firstStepRead(database_) ? "(SELECT * FROM " + table + " ORDER BY " + key + " DESC LIMIT " +
                                                           std::to_string(kMostSteps) + ")"
                                                     : table;
-  std::vector<Loss> losses;
-  std::int64_t more = 0;
+  LossList losses;
   Statement rows = database_.prepare("SELECT " + key + " FROM " + from + " WHERE NOT " + intact(table));
-  while (rows.step()) {
-    if (static_cast<std::int64_t>(losses.size()) == kMostNamed) {
-      ++more;
-      continue;
-    }
-    losses.push_back({LossKind::RowDamaged, rows.integer(0), table,
-                      path() + ": " + table + " " + rows.text(0) + " is damaged: it is not as it was written"});
-  }
-  if (more > 0) losses.push_back({LossKind::MoreDamaged, more, table, {}});
-  return losses;
+  while (rows.step())
+    losses.add({LossKind::RowDamaged, rows.integer(0), table,
+                path() + ": " + table + " " + rows.text(0) + " is damaged: it is not as it was written"});
+  return losses.all();
 }
 
 std::int64_t SessionStore::lostFiles() {
@@ -171,15 +173,19 @@ std::int64_t SessionStore::raysOf(std::int64_t scan) {
 
 RangeImage SessionStore::scan(std::int64_t number, std::size_t rays) {
   const std::string what = path() + ": scan " + std::to_string(number);
-  Statement row = database_.prepare("SELECT stand, position, known_by, nominal, range, " + intact("scan") +
-                                    " FROM scan WHERE id = ?");
+  Statement row = database_.prepare(
+      "SELECT stand, position, known_by, nominal, range, angle_sigma, position_sigma, taken_with, colours, " +
+      intact("scan") + " FROM scan WHERE id = ?");
   if (!row.bind(1, number).step()) throw InvalidInput(what + " does not exist");
-  mustBeIntact(row, 5, what);
+  mustBeIntact(row, 9, what);
   RangeImage image;
   image.station = stationOf(row, 0);
   image.poseKnownBy = poseSourceFromName(row.text(2), what);
   image.T_table_scanner = poseFromBlob(row.blob(3), what);
   image.range = rangeFromBlob(row.blob(4), rays, what);
+  image.poseUncertainty = uncertaintyOf(row, 5);
+  image.takenWith = row.text(7);
+  if (const auto colours = row.blob(8); !colours.empty()) image.colours = coloursFromBlob(colours, rays, what);
   return image;
 }
 
@@ -216,15 +222,19 @@ std::int64_t SessionStore::addRays(const RayGrid& rays) {
 
 std::int64_t SessionStore::addScan(const RangeImage& image, std::int64_t rays) {
   const std::int64_t number = scanCount();
-  database_.prepare(insertInto("scan"))
-      .bind(1, number)
+  Statement insert = database_.prepare(insertInto("scan"));
+  insert.bind(1, number)
       .bind(2, std::int64_t{image.station.stand})
       .bindOptional(3, image.station.position)
-      .bind(4, name(image.poseKnownBy))
-      .bindOptional(5, rays == 0 ? std::nullopt : std::optional(rays))
-      .bind(6, std::span<const std::byte>(poseBlob(image.T_table_scanner)))
-      .bind(7, std::span<const std::byte>(rangeBlob(image.range)))
-      .run();
+      .bind(4, name(image.poseKnownBy));
+  if (image.poseUncertainty)
+    insert.bind(5, image.poseUncertainty->angleSigma).bind(6, image.poseUncertainty->positionSigma);
+  insert.bind(7, std::string_view(image.takenWith))
+      .bindOptional(8, rays == 0 ? std::nullopt : std::optional(rays))
+      .bind(9, std::span<const std::byte>(poseBlob(image.T_table_scanner)))
+      .bind(10, std::span<const std::byte>(rangeBlob(image.range)));
+  if (!image.colours.empty()) insert.bind(11, std::span<const std::byte>(coloursBlob(image.colours)));
+  insert.run();
   return number;
 }
 

@@ -82,6 +82,12 @@ void addImage(ContentHash& hash, const RangeImage& image) {
   hash.add(image.poseKnownBy);
   addPose(hash, image.T_table_scanner);
   hash.add(image.range);
+  // What no scan of earlier versions had counts for nothing where it is not there.
+  if (image.poseUncertainty) {
+    hash.add(image.poseUncertainty->angleSigma);
+    hash.add(image.poseUncertainty->positionSigma);
+  }
+  if (!image.colours.empty()) hash.add(image.colours);
 }
 
 void addReading(ContentHash& hash, const ScanReading& reading) {

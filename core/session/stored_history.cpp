@@ -8,6 +8,7 @@
 
 #include "base/errors.h"
 #include "session/command_json.h"
+#include "session/loss_list.h"
 #include "session/session_blobs.h"
 #include "session/session_json.h"
 #include "session/session_schema.h"
@@ -49,8 +50,7 @@ class HistoryReader {
     for (const std::int64_t step : path_) take(step);
     for (std::size_t i = 0; i < result_.entries.size(); ++i)
       if (result_.entries[i].step <= cursor) result_.cursor = i;
-    for (const auto& [what, count] : named_)
-      if (count > kMostNamed) result_.losses.push_back({LossKind::MoreDamaged, count - kMostNamed, what.second, {}});
+    result_.losses = losses_.all();
     return std::move(result_);
   }
 
@@ -76,10 +76,7 @@ class HistoryReader {
     }
   }
 
-  void lose(Loss loss) {
-    const std::int64_t count = ++named_[{loss.kind, loss.name.empty() ? "step" : loss.name}];
-    if (count <= kMostNamed) result_.losses.push_back(std::move(loss));
-  }
+  void lose(Loss loss) { losses_.add(std::move(loss)); }
 
   // The first row of the table view that is read. Steps are written one after the other, and their views with them.
   std::int64_t firstView() {
@@ -193,7 +190,7 @@ class HistoryReader {
 
   Database& database_;
   std::optional<std::int64_t> first_;
-  std::map<std::pair<LossKind, std::string>, std::int64_t> named_;
+  LossList losses_;
   StoredHistory result_;
   std::map<std::int64_t, StepRow> steps_;
   std::map<std::int64_t, std::shared_ptr<StateOutline>> outlines_;

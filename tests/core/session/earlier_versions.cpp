@@ -10,7 +10,8 @@ namespace vantage::testing {
 
 const std::vector<std::string>& earlierSessions() {
   static const std::vector<std::string> names{"schema_1",         "schema_2_taken_over", "schema_2_ended",
-                                              "schema_2_steered", "schema_2_imported",   "schema_3_steered"};
+                                              "schema_2_steered", "schema_2_imported",   "schema_3_steered",
+                                              "schema_4_steered"};
   return names;
 }
 

@@ -308,7 +308,9 @@ TEST_F(SessionTest, RefusesATriggerThatHasTheNameOfATable) {
     database.run("DROP TABLE e0");
     // Whatever is in the file, it does not run.
     database.run(
-        "INSERT INTO scan SELECT 100, stand, position, known_by, rays, nominal, range, sum FROM scan WHERE id = 0");
+        "INSERT INTO scan SELECT 100, stand, position, known_by, angle_sigma, position_sigma, taken_with, rays, "
+        "nominal, "
+        "range, colours, sum FROM scan WHERE id = 0");
     EXPECT_EQ(database.prepare("SELECT 1 FROM scan WHERE id = 0").step(), true);
   }
   EXPECT_THROW(static_cast<void>(reopened()), InvalidInput);
