@@ -5,7 +5,9 @@
 #include "base/errors.h"
 #include "cli/command.h"
 #include "cli/new_session.h"
+#include "cli/person_at_table.h"
 #include "cli/reading_arguments.h"
+#include "cli/rig_arguments.h"
 #include "cli/session_run.h"
 #include "cli/settings_arguments.h"
 #include "cli/text.h"
@@ -16,7 +18,8 @@ namespace vantage {
 namespace {
 
 struct AcquireArguments {
-  std::string scanner;
+  RigArguments rig;
+  bool events = false;
   std::string out;
   std::string object;
   bool replace = false;
@@ -46,22 +49,44 @@ Mesh placeObject(const AcquireArguments& args, const ScannerProfile& profile, Co
   return std::move(object.mesh);
 }
 
-void run(const AcquireArguments& args, CommandContext& context) {
-  const std::string file = (std::filesystem::path(args.out) / "session.vantage").string();
-  checkSessionPlace(file, args.replace);
+void checkArguments(const AcquireArguments& args, bool simulated, const ScannerProfile& profile) {
+  if (simulated && args.object.empty())
+    throw InvalidInput("the simulated scanner needs something to look at: name a mesh with --object");
+  if (!simulated && !args.object.empty())
+    throw InvalidInput("--object is what the simulated scanner looks at: a real one sees what stands before it");
+  if (args.settings.firstView >= static_cast<int>(profile.workspace.size()))
+    throw InvalidInput("--first-view is " + std::to_string(args.settings.firstView) +
+                       ", the workspace has positions 0 to " + std::to_string(profile.workspace.size() - 1));
+}
+
+void run(const AcquireArguments& given, CommandContext& context) {
+  AcquireArguments args = given;
+  const RigFile file = args.rig.described();
+  const bool simulated = isSimulated(file.rig);
+  if (!simulated) args.settings = withCut(args.settings, file);
+  const std::string session = (std::filesystem::path(args.out) / "session.vantage").string();
+  checkSessionPlace(session, args.replace);
   const AcquisitionResults results(args.out);
   if (!args.replace) results.mustBeNew();
-  results.mustBeReplaceable({args.object, args.scanner});
-  const ProfileSource source = readProfileSource(args.scanner);
+  results.mustBeReplaceable({args.object, file.rig.scanner});
+  const ProfileSource source = profileOf(file.rig);
   const auto profile = std::make_shared<const ScannerProfile>(parseProfile(source));
   tellMemoryNeeded(*profile, context);
-  if (args.settings.firstView >= static_cast<int>(profile->workspace.size()))
-    throw InvalidInput("--first-view is " + std::to_string(args.settings.firstView) +
-                       ", the workspace has positions 0 to " + std::to_string(profile->workspace.size() - 1));
-  const auto object = std::make_shared<const Mesh>(placeObject(args, *profile, context));
+  checkArguments(args, simulated, *profile);
+  std::shared_ptr<const Mesh> object;
+  if (simulated) object = std::make_shared<const Mesh>(placeObject(args, *profile, context));
   NewFolder folder(args.out);
-  workOnNewSession({file, args.replace, true, {source, args.settings, object.get(), profile}}, context,
-                   [&](Session& session) { SessionRun(session, args.out, context).run(object); });
+  const bool byHand = std::holds_alternative<HandTableDevice>(file.rig.table);
+  PersonAtTable person(profile, args.events, context);
+  HandTable::AskPerson ask;
+  if (byHand) ask = [&](int position, const Progress& progress) { person.ask(position, progress); };
+  DeviceSetUp devices = RealDevices{file.rig, profile, ask};
+  if (simulated)
+    devices = Simulated{object, profile, {args.settings.simulation.seed, args.settings.simulation.ideal}, ask};
+  workOnNewSession({session, args.replace, true, {source, args.settings, object.get(), profile}}, context,
+                   [&](Session& made) {
+                     SessionRun(made, args.out, context).run(devices, byHand || args.events ? &person : nullptr);
+                   });
   folder.keep();
 }
 
@@ -70,9 +95,11 @@ void run(const AcquireArguments& args, CommandContext& context) {
 void addAcquireCommand(CLI::App& app, CommandContext& context) {
   auto args = std::make_shared<AcquireArguments>();
   CLI::App* command =
-      app.add_subcommand("acquire", "Acquire a mesh with the simulated scanner until nothing scannable is left");
-  command->add_option("--object", args->object, "Mesh to put in front of the scanner")->required();
-  command->add_option("--scanner", args->scanner, "Scanner profile (JSON)")->required();
+      app.add_subcommand("acquire", "Acquire an object until nothing scannable is left: a mesh, or a real one");
+  command->add_option("--object", args->object, "Mesh to put in front of the simulated scanner");
+  args->rig.addTo(*command);
+  command->add_flag("--events", args->events,
+                    "Say what goes on as JSON lines on standard output, for a program that turns the table");
   command->add_option("--out", args->out, "Folder for session, model and report")->required();
   command->add_flag("--replace", args->replace,
                     "Replace the session of that folder; it is kept aside until the new one is whole");

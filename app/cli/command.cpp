@@ -38,6 +38,7 @@ Progress CommandContext::progress() {
 
 void CommandContext::result(const nlohmann::ordered_json& json, const std::string& text) {
   bar_.clear();
+  if (events_) return note(text);
   const std::string out =
       json_ ? json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n" : plainLines(text);
   if (std::fputs(out.c_str(), stdout) < 0 || std::fflush(stdout) != 0)

@@ -30,6 +30,9 @@ class CommandContext {
   /// Whether the work was done, but not all is well.
   [[nodiscard]] bool warned() const { return warned_; }
 
+  /// From now on standard output belongs to events: results are said on stderr.
+  void keepForEvents() { events_ = true; }
+
   /// One line for the operator, on stderr.
   void note(const std::string& line);
 
@@ -39,6 +42,7 @@ class CommandContext {
   std::stop_token stop_;
   ProgressBar bar_;
   bool json_ = false;
+  bool events_ = false;
   bool warned_ = false;
   int threads_;
 };

@@ -7,6 +7,8 @@
 #include "cli/import_result.h"
 #include "cli/new_session.h"
 #include "cli/open_session.h"
+#include "cli/person_at_table.h"
+#include "cli/rig_arguments.h"
 #include "cli/session_run.h"
 #include "cli/settings_arguments.h"
 #include "session/import_note.h"
@@ -17,6 +19,8 @@ namespace {
 struct ResumeArguments {
   std::string session;
   std::string out;
+  RigArguments rig;
+  bool events = false;
   SettingsArguments given;
 };
 
@@ -27,6 +31,27 @@ void finishImport(Session& session, const ImportScans& import, CommandContext& c
   const Progress progress = context.progress();
   Acquisition(session).carryOut(import, progress.part(0.0, 0.9));
   announceImport({session.path(), labels, {}}, *session.state(), context, progress.part(0.9, 1.0));
+}
+
+// Goes on with the devices that were named; with the simulated ones that the session was begun with otherwise.
+void runDevices(Session& session, const ResumeArguments& args, const std::string& out, CommandContext& context) {
+  const RigFile file = args.rig.described();
+  const AcquisitionSettings& settings = session.state()->settings;
+  if (!args.rig.given() && settings.simulation.object.empty())
+    throw InvalidInput(session.path() +
+                       ": was not scanned by the simulated scanner: say with --sensor and --table, or "
+                       "--rig, what is there to go on with");
+  const bool simulated = isSimulated(file.rig);
+  const bool byHand = std::holds_alternative<HandTableDevice>(file.rig.table);
+  PersonAtTable person(session.profile(), args.events, context);
+  HandTable::AskPerson ask;
+  if (byHand) ask = [&](int position, const Progress& progress) { person.ask(position, progress); };
+  DeviceSetUp devices = RealDevices{file.rig, session.profile(), ask};
+  if (simulated) {
+    const auto object = std::make_shared<const Mesh>(session.object(context.progress()));
+    devices = Simulated{object, session.profile(), {settings.simulation.seed, settings.simulation.ideal}, ask};
+  }
+  SessionRun(session, out, context).run(devices, byHand || args.events ? &person : nullptr);
 }
 
 void run(const ResumeArguments& args, CommandContext& context) {
@@ -41,12 +66,11 @@ void run(const ResumeArguments& args, CommandContext& context) {
         args.session +
         ": has no scanner profile, so nothing can be scanned: it is of recorded scans, or the profile was "
         "lost");
-  const auto object = std::make_shared<const Mesh>(session.object(context.progress()));
   const std::string beside = std::filesystem::absolute(args.session).parent_path().string();
   const std::string out = args.out.empty() ? beside : args.out;
   AcquisitionResults(out).mustBeReplaceable({session.state()->settings.simulation.object});
   NewFolder folder(out);
-  SessionRun(session, out, context).run(object);
+  runDevices(session, args, out, context);
   folder.keep();
 }
 
@@ -54,10 +78,13 @@ void run(const ResumeArguments& args, CommandContext& context) {
 
 void addResumeCommand(CLI::App& app, CommandContext& context) {
   auto args = std::make_shared<ResumeArguments>();
-  CLI::App* command = app.add_subcommand(
-      "resume", "Go on with an interrupted import, or with an acquisition before the simulated scanner");
+  CLI::App* command =
+      app.add_subcommand("resume", "Go on with an interrupted import, or with an acquisition, with the devices named");
   command->add_option("session", args->session, "Session file")->required();
   command->add_option("--out", args->out, "Folder for model and report; beside the session when not given");
+  args->rig.addDevicesTo(*command);
+  command->add_flag("--events", args->events,
+                    "Say what goes on as JSON lines on standard output, for a program that turns the table");
   args->given.addTo(*command);
   args->given.addShorthand(*command, "--max-views", "max_views");
   args->given.addShorthand(*command, "--tolerance", "planner.tolerance");

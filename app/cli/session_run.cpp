@@ -1,5 +1,7 @@
 #include "cli/session_run.h"
 
+#include <optional>
+#include <set>
 #include <utility>
 
 #include "acquisition/acquisition.h"
@@ -33,6 +35,29 @@ std::string viewLine(const AcquisitionState& state, const KeptScan& scan) {
   return line;
 }
 
+// Another position than the one that comes next and those that were skipped before: the one that promises most; of no
+// plan the next. Without any the run ends here.
+void chooseInstead(Acquisition& acquisition, std::set<int>& skipped, const Progress& progress) {
+  const auto state = acquisition.state();
+  const NextScan next = acquisition.next();
+  if (const auto* from = std::get_if<ScanFrom>(&next)) skipped.insert(from->position);
+  std::optional<int> best;
+  if (state->plan) {
+    for (const PositionScore& score : state->plan->scores) {
+      if (skipped.contains(score.position) || score.constraint != Constraint::Outscored) continue;
+      if (!best || promise(score) > promise(state->plan->scores[static_cast<std::size_t>(*best)]))
+        best = score.position;
+    }
+  } else {
+    for (int i = 0; i < static_cast<int>(state->profile->workspace.size()) && !best; ++i)
+      if (!skipped.contains(i)) best = i;
+  }
+  if (best)
+    acquisition.carryOut(ChoosePosition{*best}, progress);
+  else
+    acquisition.carryOut(Finish{Termination::EndedByOperator}, progress);
+}
+
 }  // namespace
 
 std::string lastScanLine(const AcquisitionState& state) {
@@ -60,11 +85,12 @@ void changeSettings(Session& session, const AcquisitionSettings& settings, Comma
 SessionRun::SessionRun(Session& session, std::string out, CommandContext& context)
     : session_(session), results_(std::move(out)), context_(context), last_(session.state()) {}
 
-void SessionRun::run(const std::shared_ptr<const Mesh>& object) {
+void SessionRun::run(const DeviceSetUp& devices, PersonAtTable* person) {
   try {
-    acquireAll(object);
+    acquireAll(devices, person);
   } catch (const InvalidInput& e) {
-    throw InvalidInput(last_->settings.simulation.object + ": " + e.what());
+    const std::string& object = last_->settings.simulation.object;
+    throw InvalidInput((object.empty() ? session_.path() : object) + ": " + e.what());
   } catch (const Cancelled&) {
     // The session itself stays where it was: it can be resumed.
     AcquisitionState cancelled = *last_;
@@ -77,21 +103,46 @@ void SessionRun::run(const std::shared_ptr<const Mesh>& object) {
   announce();
 }
 
-void SessionRun::acquireAll(const std::shared_ptr<const Mesh>& object) {
+void SessionRun::tellLast(PersonAtTable* person) {
+  context_.note(lastScanLine(*last_));
+  if (person == nullptr) return;
+  const KeptScan& scan = last_->scans.back();
+  nlohmann::ordered_json event{{"event", "registered"},
+                               {"scan", scan.number},
+                               {"verdict", name(scan.record.registration.verdict)},
+                               {"new_area_mm2", scan.record.newArea}};
+  if (scan.station().position) event["position"] = *scan.station().position;
+  person->tell(event);
+  if (scan.status == ScanStatus::Rejected) person->tell({{"event", "problem"}, {"text", lastScanLine(*last_)}});
+}
+
+void SessionRun::acquireAll(const DeviceSetUp& devices, PersonAtTable* person) {
   if (last_->termination != Termination::Running) return;
   const auto profile = session_.profile();
   const auto images = std::make_shared<const ScannerImages>(loadScannerImages(
       *profile, cacheDirectory(), context_.progress().part(0.0, 1.0, "positional space of the scanner")));
-  // Scans that were taken before have moved the turntable, whatever became of them.
-  const Simulated devices{object, profile, {last_->settings.simulation.seed, last_->settings.simulation.ideal}};
-  const Rig rig = DeviceFactory().open(devices, session_.scanCount(), context_.progress());
+  // Scans that were taken before have moved a simulated turntable, whatever became of them.
+  Rig rig = DeviceFactory().open(devices, session_.scanCount(), context_.progress());
+  if (person != nullptr) rig = person->told(rig);
   if (const auto unused = session_.unusedScan())
     context_.note("scan " + std::to_string(unused->number) + " was not yet added: going on with it");
   Acquisition acquisition(session_, {rig, images}, [&](const Command& command, const auto& /*before*/, const auto&) {
     last_ = session_.state();
-    if (std::holds_alternative<AddScan>(command)) context_.note(lastScanLine(*last_));
+    if (std::holds_alternative<AddScan>(command)) tellLast(person);
   });
-  acquisition.runUntilTheEnd(context_.progress());
+  std::set<int> skipped;
+  while (last_->termination == Termination::Running) {
+    try {
+      acquisition.runUntilTheEnd(context_.progress());
+    } catch (const PositionSkipped& e) {
+      context_.note(e.what());
+      chooseInstead(acquisition, skipped, context_.progress());
+    } catch (const EndedByPerson& e) {
+      context_.note(e.what());
+      acquisition.carryOut(Finish{Termination::EndedByOperator}, context_.progress());
+    }
+  }
+  if (person != nullptr) person->tell({{"event", "done"}, {"terminated_by", name(last_->termination)}});
 }
 
 void SessionRun::writeResults() {

@@ -5,22 +5,26 @@
 
 #include "cli/acquisition_results.h"
 #include "cli/command.h"
+#include "cli/person_at_table.h"
+#include "devices/device_factory.h"
 #include "session/session.h"
 
 namespace vantage {
 
-/// An automatic run of a session before the simulated scanner: says what every scan brought, writes report.json,
-/// model.ply and model.stl at the end, also when it is cancelled.
+/// A run of a session by itself: says what every scan brought, writes report.json, model.ply and model.stl at the end,
+/// also when it is cancelled.
 class SessionRun {
  public:
   /// @param out folder for the results, which exists; what is there may be replaced. All must outlive it.
   SessionRun(Session& session, std::string out, CommandContext& context);
 
+  /// @param person who turns the table, when one does; who tells a program what goes on
   /// @throws InvalidInput, IoError, DeviceError, Cancelled: the session can be resumed
-  void run(const std::shared_ptr<const Mesh>& object);
+  void run(const DeviceSetUp& devices, PersonAtTable* person = nullptr);
 
  private:
-  void acquireAll(const std::shared_ptr<const Mesh>& object);
+  void acquireAll(const DeviceSetUp& devices, PersonAtTable* person);
+  void tellLast(PersonAtTable* person);
   void writeResults();
   void announce();
 

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "devices/real_rig.h"
+#include "devices/turned_by_hand.h"
 #include "scanner/patient_devices.h"
 
 namespace vantage {
@@ -12,8 +14,14 @@ struct Making {
   std::int64_t scansBefore;
 
   Rig operator()(const Simulated& setUp) const {
-    return simulatedRig(setUp.object, setUp.profile, setUp.options, static_cast<int>(scansBefore));
+    Rig rig = simulatedRig(setUp.object, setUp.profile, setUp.options, static_cast<int>(scansBefore));
+    if (setUp.ask)
+      rig.positioner = std::make_shared<TurnedByHand>(
+          rig.positioner, std::make_shared<HandTable>(setUp.profile, setUp.ask, kTurnedByHand));
+    return rig;
   }
+
+  Rig operator()(const RealDevices& setUp) const { return realRig(setUp); }
 };
 
 }  // namespace

@@ -6,6 +6,8 @@
 #include <memory>
 #include <variant>
 
+#include "devices/rig_description.h"
+#include "scanner/hand_table.h"
 #include "scanner/simulated_sensor.h"
 
 namespace vantage {
@@ -15,10 +17,21 @@ struct Simulated {
   std::shared_ptr<const Mesh> object;  ///< as it stands on the table
   std::shared_ptr<const ScannerProfile> profile;
   SimulationOptions options;
+  HandTable::AskPerson ask;  ///< a person turns the table; empty: it turns by itself
+};
+
+/// How well a person who turns a table meets an angle: fifteen degrees are two sigmas.
+inline constexpr Mechanics kTurnedByHand{radians(7.5), 3.0};
+
+/// Devices that stand somewhere. @pre the sensor and the table are not simulated
+struct RealDevices {
+  RigDescription rig;
+  std::shared_ptr<const ScannerProfile> profile;
+  HandTable::AskPerson ask;  ///< for a table that a person turns
 };
 
 /// What scans are taken with, by kind.
-using DeviceSetUp = std::variant<Simulated>;
+using DeviceSetUp = std::variant<Simulated, RealDevices>;
 
 /// The devices of a set-up, not yet open. @param scansBefore how many scans of the session were taken before.
 [[nodiscard]] Rig makeDevices(const DeviceSetUp& setUp, std::int64_t scansBefore);

@@ -1,6 +1,7 @@
 #include "acquisition/steps.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/errors.h"
 #include "geometry/measures.h"
@@ -16,6 +17,10 @@ namespace {
 
 // After so many moves nothing is known of where the table is.
 constexpr std::int64_t kMostMoves = 10'000;
+// A registration finds its way from so far [rad].
+constexpr double kReach = radians(3.0);
+// Hands are not trusted beyond so many sigmas.
+constexpr double kFarthest = 2.5;
 
 RegistrationResult firstRegistration(const Pose& T_object_scanner) {
   RegistrationResult result;
@@ -27,10 +32,49 @@ RegistrationResult firstRegistration(const Pose& T_object_scanner) {
 }
 
 // What is known of the motion from one scan to a later one: the table moved for every scan in between, also for those
-// that are no views.
-std::optional<PosePrior> priorOf(const StepOptions& options, std::int64_t from, std::int64_t to) {
-  if (!options.mechanics) return options.registration.prior;
-  return turntablePrior(*options.mechanics, static_cast<int>(std::clamp<std::int64_t>(to - from, 1, kMostMoves)));
+// that are no views. Who turned it by hand begins anew every time.
+std::optional<PosePrior> priorOf(const StepOptions& options, const KeptScan& from, const KeptScan& to) {
+  const RangeImage& image = *to.view.image;
+  const std::optional<Mechanics>& mechanics = image.poseUncertainty ? image.poseUncertainty : options.mechanics;
+  if (!mechanics) return options.registration.prior;
+  if (image.poseKnownBy == PoseSource::ByHand) return turntablePrior(*mechanics);
+  const auto moves = std::clamp<std::int64_t>(to.number - from.number, 1, kMostMoves);
+  return turntablePrior(*mechanics, static_cast<int>(moves));
+}
+
+// Whether a registration would not reach as far as the pose may be off.
+bool isFarOff(const RangeImage& image) {
+  return image.poseUncertainty && image.poseUncertainty->angleSigma > kReach;
+}
+
+// Where a scan would be if its table had turned by so much less or more than is said.
+std::vector<Pose> turnedPoses(const AcquisitionState& state, const RangeImage& image, double upTo) {
+  std::vector<Pose> poses;
+  RangeImage turned = image;
+  const int steps = static_cast<int>(std::ceil(upTo / kReach));
+  for (int i = -steps; i <= steps; ++i) {
+    turned.T_table_scanner = Eigen::AngleAxisd(kReach * i, Vec3::UnitZ()) * image.T_table_scanner;
+    poses.push_back(expectedPose(state, turned));
+  }
+  return poses;
+}
+
+// The registration of a scan whose table a person turned, about as far as they were asked: first coarse, then fine.
+RegistrationResult registerOnTurn(const AcquisitionState& state, const KeptScan& scan, const RegistrationTarget& target,
+                                  const IcpOptions& options, const Progress& progress) {
+  const View& view = scan.view;
+  const ViewSurface surface(*view.mesh, *view.image->rays);
+  IcpOptions free = options;
+  free.prior.reset();
+  const auto poses = turnedPoses(state, *view.image, kFarthest * view.image->poseUncertainty->angleSigma);
+  const auto fits = poseThatFits(surface, poses, target, free, progress);
+  if (!fits) return registerView(surface, view.T_object_scanner, target, options, progress);
+  RegistrationResult found = fits->registration;
+  if (fits->rivalDistance > 0.0 && found.verdict == Verdict::Good) {
+    found.verdict = Verdict::Doubtful;
+    found.finding = {VerdictReason::Rival, fits->rivalDistance, {}};
+  }
+  return found;
 }
 
 RegistrationResult registerWithModel(const AcquisitionState& state, const KeptScan& scan, const StepOptions& options,
@@ -39,8 +83,8 @@ RegistrationResult registerWithModel(const AcquisitionState& state, const KeptSc
   if (!state.model) return firstRegistration(view.T_object_scanner);
   const RegistrationTarget target(state.model->mesh, state.model->confidence);
   IcpOptions registration = options.registration;
-  if (const KeptScan* last = lastView(state, scan.station().stand))
-    registration.prior = priorOf(options, last->number, scan.number);
+  if (const KeptScan* last = lastView(state, scan.station().stand)) registration.prior = priorOf(options, *last, scan);
+  if (isFarOff(*view.image)) return registerOnTurn(state, scan, target, registration, progress);
   return registerView(*view.mesh, *view.image->rays, view.T_object_scanner, target, registration, progress);
 }
 
@@ -50,9 +94,9 @@ std::vector<PoseTie> tiesOf(const std::vector<const KeptScan*>& scans, const Ste
   std::vector<PoseTie> ties;
   for (std::size_t i = 1; i < scans.size(); ++i) {
     if (scans[i - 1]->station().stand != scans[i]->station().stand) continue;
+    if (scans[i]->record.registration.finding.reason == VerdictReason::TableSlipped) continue;
     const Pose T_from_to = scans[i - 1]->view.image->T_table_scanner.inverse() * scans[i]->view.image->T_table_scanner;
-    if (const auto prior = priorOf(options, scans[i - 1]->number, scans[i]->number))
-      ties.push_back({i - 1, i, T_from_to, *prior});
+    if (const auto prior = priorOf(options, *scans[i - 1], *scans[i])) ties.push_back({i - 1, i, T_from_to, *prior});
   }
   return ties;
 }
@@ -97,9 +141,9 @@ void checkStation(const AcquisitionState& state, const KeptScan& scan) {
                        ", the object has stood in stands 0 to " + std::to_string(state.stand()));
 }
 
-// Another position of the workspace that a scan fits which does not fit its own.
-std::optional<int> otherPosition(const AcquisitionState& state, const KeptScan& scan, const StepOptions& options,
-                                 const Progress& progress) {
+// Where in the workspace a scan fits which does not fit its own position.
+std::optional<FittingPose> otherPlace(const AcquisitionState& state, const KeptScan& scan, const StepOptions& options,
+                                      const Progress& progress) {
   if (!state.profile || !state.model || !scan.station().position) return std::nullopt;
   std::vector<Pose> candidates;
   RangeImage there = *scan.view.image;
@@ -109,11 +153,20 @@ std::optional<int> otherPosition(const AcquisitionState& state, const KeptScan& 
   }
   IcpOptions registration = options.registration;
   registration.prior.reset();
-  const auto fits =
-      poseThatFits(ViewSurface(*scan.view.mesh, *scan.view.image->rays), candidates,
-                   RegistrationTarget(state.model->mesh, state.model->confidence), registration, progress);
-  if (!fits || static_cast<int>(*fits) == *scan.station().position) return std::nullopt;
-  return static_cast<int>(*fits);
+  return poseThatFits(ViewSurface(*scan.view.mesh, *scan.view.image->rays), candidates,
+                      RegistrationTarget(state.model->mesh, state.model->confidence), registration, progress);
+}
+
+// Whether a table moved by itself and said where to: a person may have meant another position.
+bool movedByItself(const RangeImage& image) {
+  return !image.takenWith.empty() &&
+         (image.poseKnownBy == PoseSource::Commanded || image.poseKnownBy == PoseSource::Reported);
+}
+
+// How much farther than it said the table turned, when the scan was found there [deg], counter-clockwise from above.
+double slipOf(const Pose& expected, const Pose& found) {
+  const Eigen::Matrix3d turn = expected.linear() * found.linear().transpose();
+  return degrees(std::atan2(turn(1, 0) - turn(0, 1), turn(0, 0) + turn(1, 1)));
 }
 
 // Whether the plan sent the scan where it shows nothing of the model.
@@ -132,13 +185,34 @@ void placeByTable(const KeptScan& scan, const StepOptions& options, Registration
   found.finding = {VerdictReason::TableAlone, static_cast<double>(found.pairs), {}};
 }
 
+void checkAgainstOthers(const AcquisitionState& state, KeptScan& scan, const StepOptions& options,
+                        const Progress& progress);
+
+// A table that slipped, or was pushed, brought the scan elsewhere: it counts there, but nothing is good about it.
+bool placeWhereSlipped(const AcquisitionState& state, KeptScan& scan, const FittingPose& fits,
+                       const StepOptions& options, const Progress& progress) {
+  if (!movedByItself(*scan.view.image) || fits.registration.verdict != Verdict::Good || fits.rivalDistance > 0.0)
+    return false;
+  KeptScan there = scan;
+  there.record.registration = fits.registration;
+  there.record.registration.verdict = Verdict::Doubtful;
+  there.record.registration.finding = {
+      VerdictReason::TableSlipped, slipOf(scan.view.T_object_scanner, fits.registration.T_object_scanner), {}};
+  checkAgainstOthers(state, there, options, progress);
+  if (there.record.registration.verdict == Verdict::Failed) return false;
+  scan.record.registration = there.record.registration;
+  return true;
+}
+
 // A scan that does not fit its own position may not have been meant to, or fit another.
 void explainFailure(const AcquisitionState& state, KeptScan& scan, const StepOptions& options,
                     const Progress& progress) {
   RegistrationResult& found = scan.record.registration;
   if (plannedByTable(state, scan, options)) return placeByTable(scan, options, found);
-  if (const auto other = otherPosition(state, scan, options, progress))
-    found.finding = {VerdictReason::OtherPosition, static_cast<double>(*other), {}};
+  const auto fits = otherPlace(state, scan, options, progress);
+  if (!fits || placeWhereSlipped(state, scan, *fits, options, progress)) return;
+  const int other = static_cast<int>(fits->candidate);
+  if (other != *scan.station().position) found.finding = {VerdictReason::OtherPosition, static_cast<double>(other), {}};
 }
 
 // A scan that fits the model may still contradict what the views have looked through, or show emptiness where they saw

@@ -39,20 +39,23 @@ Vec3 centreOf(const ViewSurface& surface) {
   return sum / static_cast<double>(std::max<std::size_t>(surface.view().mesh.vertices.size(), 1));
 }
 
+// How far apart two poses put a view: its centre, and what a turn moves at that distance [mm].
+double distanceBetween(const Pose& a, const Pose& b, const Vec3& centre) {
+  const Eigen::AngleAxisd turn(Eigen::Matrix3d(a.linear().transpose() * b.linear()));
+  return (a * centre - b * centre).norm() + centre.norm() * turn.angle();
+}
+
 // A registration reaches farther than from one position to the next.
 std::size_t nearest(std::span<const Pose> candidates, const Pose& found, const Vec3& centre) {
-  const auto distance = [&](const Pose& candidate) {
-    const Eigen::AngleAxisd turn(Eigen::Matrix3d(candidate.linear().transpose() * found.linear()));
-    return (candidate * centre - found * centre).norm() + centre.norm() * turn.angle();
-  };
-  const auto least = std::min_element(candidates.begin(), candidates.end(),
-                                      [&](const Pose& a, const Pose& b) { return distance(a) < distance(b); });
+  const auto least = std::min_element(candidates.begin(), candidates.end(), [&](const Pose& a, const Pose& b) {
+    return distanceBetween(a, found, centre) < distanceBetween(b, found, centre);
+  });
   return static_cast<std::size_t>(least - candidates.begin());
 }
 
 }  // namespace
 
-std::optional<std::size_t> poseThatFits(const ViewSurface& surface, std::span<const Pose> candidates,
+std::optional<FittingPose> poseThatFits(const ViewSurface& surface, std::span<const Pose> candidates,
                                         const RegistrationTarget& model, const IcpOptions& options,
                                         const Progress& progress) {
   const RegistrationScale scale = scaleOf(surface);
@@ -66,13 +69,18 @@ std::optional<std::size_t> poseThatFits(const ViewSurface& surface, std::span<co
   std::iota(best.begin(), best.end(), std::size_t{0});
   std::stable_sort(best.begin(), best.end(), [&](std::size_t a, std::size_t b) { return scores[a] > scores[b]; });
   best.resize(std::min(best.size(), kRegistered));
+  const Vec3 centre = centreOf(surface);
+  std::optional<FittingPose> fits;
   for (const std::size_t i : best) {
     const RegistrationResult result = registerView(surface, candidates[i], model, options, progress.part(0.5, 1.0));
     const bool little = result.verdict == Verdict::Doubtful && result.finding.reason == VerdictReason::FewPairs;
-    if (result.verdict == Verdict::Good || little)
-      return nearest(candidates, result.T_object_scanner, centreOf(surface));
+    if (!fits && (result.verdict == Verdict::Good || little))
+      fits = {nearest(candidates, result.T_object_scanner, centre), result, 0.0};
+    if (!fits || result.verdict != Verdict::Good) continue;
+    const double distance = distanceBetween(fits->registration.T_object_scanner, result.T_object_scanner, centre);
+    if (distance > gates.distance) fits->rivalDistance = std::max(fits->rivalDistance, distance);
   }
-  return std::nullopt;
+  return fits;
 }
 
 }  // namespace vantage

@@ -8,12 +8,18 @@
 
 namespace vantage {
 
+/// Where a view was found among many poses.
+struct FittingPose {
+  std::size_t candidate = 0;  ///< the nearest to where it was found
+  RegistrationResult registration;
+  double rivalDistance = 0.0;  ///< how far off another of the poses that were tried is good as well [mm]; 0: none
+};
+
 /// The pose among many that a view fits: those where the most of the model meets the view are registered, and the first
-/// that is good, or would be with more overlap, tells where the view is; the candidate nearest to that counts. Nothing
-/// where none is.
+/// that is good, or would be with more overlap, tells where the view is. Nothing where none is.
 /// @param candidates T_object_scanner each
 /// @throws InvalidInput as registerView, Cancelled
-[[nodiscard]] std::optional<std::size_t> poseThatFits(const ViewSurface& surface, std::span<const Pose> candidates,
+[[nodiscard]] std::optional<FittingPose> poseThatFits(const ViewSurface& surface, std::span<const Pose> candidates,
                                                       const RegistrationTarget& model, const IcpOptions& options,
                                                       const Progress& progress = {});
 

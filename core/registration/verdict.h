@@ -72,10 +72,11 @@ enum class VerdictReason : std::uint8_t {
   AxisBeside,         ///< it fits where the axis lies beside the list's [mm]
   TableAlone,         ///< it shows next to nothing of the model: it is where the table has it [points that overlap]
   HeldByAll,          ///< too little of the model held it, all scans together do
+  TableSlipped,       ///< it fits where the table would have turned by so much more than it says [deg, ccw from above]
 };
-inline constexpr VerdictReason kLastVerdictReason = VerdictReason::HeldByAll;
+inline constexpr VerdictReason kLastVerdictReason = VerdictReason::TableSlipped;
 
-/// "not_registered", "first_view", ..., "held_by_all".
+/// "not_registered", "first_view", ..., "table_slipped".
 [[nodiscard]] std::string_view name(VerdictReason reason);
 
 /// The gravest thing that was found about a registration.

@@ -115,6 +115,9 @@ Phrase phraseOf(const Finding& finding) {
       return words("no pose was given for it, and its surface alone does not say where it belongs");
     case VerdictReason::OtherPosition:
       return words("it does not fit the position that it was said to be of; it fits position %1", {figure(value)});
+    case VerdictReason::TableSlipped:
+      return words("it fits %1 degrees away from where the table says it is: did the table slip, or was it pushed?",
+                   {figure(std::abs(value), 1)});
     case VerdictReason::OtherTurns:
       return turnsPhrase(value);
     case VerdictReason::InverseList:

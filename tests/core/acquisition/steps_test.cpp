@@ -111,10 +111,48 @@ TEST(AddScan, NamesThePositionThatAScanFits) {
   const Rig rig = testing::simulation(testing::smallObject(), state.profile, {1, true});
   RangeImage image = scanFrom(rig, 6, Progress());
   image.station.position = 14;
+  image.takenWith.clear();  // somebody says so
   image.T_table_scanner = state.profile->workspace.poses[14];
   state = addScan(state, {3, std::make_shared<RangeImage>(std::move(image))}, std::nullopt, stepOptionsFor(state), {});
   EXPECT_EQ(state.scans[3].status, ScanStatus::Rejected);
   EXPECT_EQ(registrationOf(state, 3).finding, (Finding{VerdictReason::OtherPosition, 6.0, {}}));
+}
+
+// A scan of position 3 that is said to have been taken elsewhere about the table's axis.
+AcquisitionState addTurned(double angle, PoseSource knownBy, std::optional<Mechanics> uncertainty) {
+  AcquisitionState state = scanned(testing::smallObject(), {0, 1, 2});
+  const Rig rig = testing::simulation(testing::smallObject(), state.profile, {1, true});
+  state.settings.registration.limits.fewPairs = 100;  // the scans are small
+  RangeImage image = scanFrom(rig, 3, Progress());
+  image.T_table_scanner = Eigen::AngleAxisd(angle, Vec3::UnitZ()) * image.T_table_scanner;
+  image.poseKnownBy = knownBy;
+  image.poseUncertainty = uncertainty;
+  return addScan(state, {3, std::make_shared<RangeImage>(std::move(image))}, std::nullopt, stepOptionsFor(state), {});
+}
+
+double turnFromTruth(const AcquisitionState& state) {
+  const Pose& truth = state.profile->workspace.poses[3];
+  return Eigen::AngleAxisd(Eigen::Matrix3d(state.scans[3].view.T_object_scanner.linear() * truth.linear().transpose()))
+      .angle();
+}
+
+TEST(AddScan, FindsWhatAPersonTurnedNearlyAsFarAsTheyWereAsked) {
+  for (const double angle : {-14.0, -5.0, 9.0, 14.0}) {
+    const AcquisitionState state = addTurned(radians(angle), PoseSource::ByHand, Mechanics{radians(7.5), 3.0});
+    EXPECT_EQ(state.scans[3].status, ScanStatus::In) << angle;
+    EXPECT_LT(turnFromTruth(state), radians(0.3)) << angle;
+  }
+}
+
+TEST(AddScan, SaysHowFarATableSlippedAndCallsNothingAboutItGood) {
+  for (const double angle : {-12.0, 8.0}) {
+    const AcquisitionState state = addTurned(radians(angle), PoseSource::Reported, {});
+    ASSERT_EQ(state.scans[3].status, ScanStatus::In) << angle;
+    EXPECT_EQ(registrationOf(state, 3).verdict, Verdict::Doubtful);
+    EXPECT_EQ(registrationOf(state, 3).finding.reason, VerdictReason::TableSlipped);
+    EXPECT_NEAR(*registrationOf(state, 3).finding.value, angle, 0.3);
+    EXPECT_LT(turnFromTruth(state), radians(0.3)) << angle;
+  }
 }
 
 }  // namespace

@@ -14,7 +14,9 @@ TEST(PositionSearch, FindsThePositionThatAScanWasTakenFrom) {
   const View scan = testing::scanFrom(ball, profile, 14, 5);
   const auto found =
       poseThatFits(ViewSurface(*scan.mesh, *scan.image->rays), profile->workspace.poses, RegistrationTarget(model), {});
-  EXPECT_EQ(found, std::optional<std::size_t>(14));
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->candidate, 14U);
+  EXPECT_EQ(found->rivalDistance, 0.0);
 }
 
 TEST(PositionSearch, FindsNoneForAnotherObject) {

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "base/errors.h"
+#include "cli/command.h"
+#include "scanner/hand_table.h"
+#include "scanner/rig.h"
+
+namespace vantage {
+
+/// The person cannot turn the table there: another position is to be scanned from.
+class PositionSkipped : public DeviceError {
+ public:
+  using DeviceError::DeviceError;
+};
+
+/// The person wants to end here.
+class EndedByPerson : public DeviceError {
+ public:
+  using DeviceError::DeviceError;
+};
+
+/// Who turns the table, asked on standard error and answering on standard input with a line: done (or nothing), skip or
+/// stop. With events standard output carries one JSON object per line instead, for a program that turns it:
+/// {"event": "turn", "position": 7, "table_deg": 28.0, "by_deg": -12.0}.
+class PersonAtTable {
+ public:
+  PersonAtTable(std::shared_ptr<const ScannerProfile> profile, bool events, CommandContext& context);
+
+  /// Asks to turn the table to a position, and waits for the answer.
+  /// @throws PositionSkipped, EndedByPerson, also when nobody answers any more; Cancelled
+  void ask(int position, const Progress& progress);
+
+  /// Tells a program what goes on; nothing without events.
+  void tell(const nlohmann::ordered_json& event);
+
+  /// The rig whose scans are told.
+  [[nodiscard]] Rig told(Rig rig);
+
+ private:
+  [[nodiscard]] std::string answer(const Progress& progress);
+
+  std::shared_ptr<const ScannerProfile> profile_;
+  bool events_;
+  CommandContext& context_;
+  int position_ = 0;
+  std::string typed_;  // after the last whole line
+};
+
+}  // namespace vantage

@@ -1,0 +1,53 @@
+#include "devices/real_rig.h"
+
+#include <utility>
+
+#include "base/errors.h"
+#include "devices/fixed_place.h"
+#include "scanner/turntable_positioner.h"
+
+namespace vantage {
+namespace {
+
+struct SensorMaking {
+  const RealDevices& setUp;
+
+  std::shared_ptr<RangeSensor> operator()(const SimulatedSensorDevice&) const {
+    throw InvalidInput("the simulated scanner sees the simulated table only: choose both, or neither");
+  }
+  template <typename Device>
+  std::shared_ptr<RangeSensor> operator()(const Device&) const {
+    throw InvalidInput("not yet");
+  }
+};
+
+struct TableMaking {
+  const RealDevices& setUp;
+
+  std::shared_ptr<Positioner> operator()(const SimulatedTableDevice&) const {
+    throw InvalidInput("the simulated table turns before the simulated scanner only: choose both, or neither");
+  }
+  std::shared_ptr<Positioner> operator()(const NoTableDevice&) const {
+    return std::make_shared<FixedPlace>(setUp.profile);
+  }
+  std::shared_ptr<Positioner> operator()(const HandTableDevice&) const {
+    if (!setUp.ask) throw InvalidInput("a table turned by hand needs somebody who is asked to turn it");
+    return std::make_shared<HandTable>(setUp.profile, setUp.ask, kTurnedByHand);
+  }
+  template <typename Device>
+  std::shared_ptr<Positioner> operator()(const Device& device) const {
+    return std::make_shared<TurntablePositioner>(setUp.profile, turntableOf(TableDevice(device)));
+  }
+};
+
+}  // namespace
+
+std::shared_ptr<Turntable> turntableOf(const TableDevice& /*table*/) {
+  return nullptr;
+}
+
+Rig realRig(const RealDevices& setUp) {
+  return {std::visit(SensorMaking{setUp}, setUp.rig.sensor), std::visit(TableMaking{setUp}, setUp.rig.table)};
+}
+
+}  // namespace vantage
