@@ -3,9 +3,9 @@
 #include <utility>
 
 #include "acquisition/further_scan.h"
+#include "base/atomic_file.h"
 #include "base/errors.h"
 #include "ending_text.h"
-#include "base/atomic_file.h"
 #include "io/mesh_writer.h"
 #include "io/output_file.h"
 #include "report/loss_wording.h"
@@ -87,7 +87,8 @@ void SessionController::startTestTurn() {
   start<TestTurn>(
       Activity::Testing, tr("Test turn"),
       [setUp = setUp_, factory = devices_, first, second](const Progress& p) {
-        return testTurn(factory.open(*setUp->devices, 0, p), *setUp->profile, first, second, p);
+        return testTurn(factory.open(*setUp->devices, 0, p), *setUp->profile, first, second, setUp->choice.settings.cut,
+                        p);
       },
       [this](TestTurn result) {
         testTurn_ = std::move(result);

@@ -11,12 +11,12 @@ namespace {
 // Differences from the list of poses up to so many spacings are what a list always has.
 constexpr double kListFaultSpacings = 2.0;
 
-std::vector<KeptScan> keptScans(const std::vector<NumberedScan>& scans, const TriangulationOptions& options,
+std::vector<KeptScan> keptScans(const std::vector<NumberedScan>& scans, const ImportOptions& options,
                                 const Progress& progress) {
   std::vector<KeptScan> kept;
   for (const NumberedScan& scan : scans) {
     progress.checkpoint(static_cast<double>(kept.size()) / static_cast<double>(scans.size()));
-    kept.push_back(keepAsView(scan, options));
+    kept.push_back(keepAsView(scan, options.cut, options.triangulation));
   }
   return kept;
 }
@@ -62,7 +62,7 @@ AcquisitionState importScans(const AcquisitionState& state, const std::vector<Nu
   if (scans.empty()) throw InvalidInput("nothing to import: expected at least one range image");
   const Progress registering = progress.part(0.0, 0.6, name(Phase::Register));
   AcquisitionState next = state;
-  next.scans = keptScans(scans, options.triangulation, registering.part(0.0, 0.1));
+  next.scans = keptScans(scans, options, registering.part(0.0, 0.1));
   if (next.scans.front().view.mesh->mesh.empty())
     throw InvalidInput("the first range image has no surface to register the others with");
   const AlignmentResult alignment = registerViews(viewsOf(next.scans), options.alignment, registering.part(0.1, 1.0));

@@ -1,5 +1,7 @@
 #include "acquisition/kept_scan.h"
 
+#include <utility>
+
 namespace vantage {
 
 std::string_view name(ScanStatus status) {
@@ -16,13 +18,15 @@ std::string_view name(ScanStatus status) {
   return "waiting";
 }
 
-KeptScan keepAsView(const NumberedScan& scan, const TriangulationOptions& options) {
+KeptScan keepAsView(const NumberedScan& scan, const ScanCut& cut, const TriangulationOptions& triangulation) {
+  CutImage image = cutImage(scan.image, cut);
   KeptScan kept;
   kept.number = scan.number;
-  kept.view.image = scan.image;
-  kept.view.mesh = std::make_shared<const ViewMesh>(triangulate(*scan.image, options));
-  kept.view.T_object_scanner = scan.image->T_table_scanner;
-  kept.record.samples = scan.image->sampleCount();
+  kept.view.image = std::move(image.image);
+  kept.view.mesh = std::make_shared<const ViewMesh>(triangulate(*kept.view.image, triangulation));
+  kept.view.T_object_scanner = kept.view.image->T_table_scanner;
+  kept.record.cut = image.counts;
+  kept.record.samples = kept.view.image->sampleCount();
   kept.record.triangles = kept.view.mesh->mesh.triangles.size();
   return kept;
 }

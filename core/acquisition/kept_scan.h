@@ -8,6 +8,7 @@
 #include "acquisition/phase_times.h"
 #include "planning/plan.h"
 #include "registration/icp.h"
+#include "scanner/scan_cut.h"
 #include "scanner/scan_reading.h"
 #include "scanner/triangulation.h"
 
@@ -26,7 +27,8 @@ inline constexpr ScanStatus kLastScanStatus = ScanStatus::Waiting;
 
 /// What one scan brought.
 struct ScanRecord {
-  std::size_t samples = 0;
+  std::size_t samples = 0;                 ///< that are used
+  CutCounts cut{};                         ///< why rays give none; all 0 where nothing is ever cut
   std::size_t triangles = 0;               ///< of the scan's own mesh
   std::optional<PositionScore> predicted;  ///< by the plan that chose it
   std::optional<ScanReading> reading;      ///< of a recorded scan: as what its file was read
@@ -41,8 +43,8 @@ struct ScanRecord {
 struct KeptScan {
   std::int64_t number = 0;  ///< in its session: commands name a scan by it
   ScanStatus status = ScanStatus::In;
-  /// The image as it came and, for views and what was left out, its mesh and its place. Of other scans the mesh is
-  /// null and the place what was expected.
+  /// The image without what was cut and, for views and what was left out, its mesh and its place. Of other scans the
+  /// mesh is null and the place what was expected. The journal has the image as it came.
   View view;
   ScanRecord record;
 
@@ -55,7 +57,8 @@ struct NumberedScan {
   std::shared_ptr<const RangeImage> image;
 };
 
-/// A scan that is about to become a view: triangulated, where it was reached.
-[[nodiscard]] KeptScan keepAsView(const NumberedScan& scan, const TriangulationOptions& options);
+/// A scan that is about to become a view: cut and triangulated, where it was reached.
+[[nodiscard]] KeptScan keepAsView(const NumberedScan& scan, const ScanCut& cut,
+                                  const TriangulationOptions& triangulation);
 
 }  // namespace vantage

@@ -11,12 +11,13 @@
 namespace vantage {
 namespace {
 
-constexpr std::array<std::array<std::string_view, 2>, 13> kGroups{{{"", "Acquisition"},
+constexpr std::array<std::array<std::string_view, 2>, 14> kGroups{{{"", "Acquisition"},
                                                                    {"simulation", "Simulated scanner"},
                                                                    {"planner", "Planning"},
                                                                    {"termination", "Termination"},
                                                                    {"history", "What views have looked at"},
                                                                    {"void", "Void patches"},
+                                                                   {"cut", "What is not the object"},
                                                                    {"triangulation", "Surface of a scan"},
                                                                    {"registration", "Registration"},
                                                                    {"verdict", "Verdict on a registration"},

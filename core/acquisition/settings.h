@@ -12,6 +12,7 @@
 #include "registration/alignment.h"
 #include "registration/icp.h"
 #include "registration/multi_view.h"
+#include "scanner/scan_cut.h"
 #include "scanner/triangulation.h"
 
 namespace vantage {
@@ -43,6 +44,7 @@ struct AcquisitionSettings {
   Strategy strategy;
   int firstView = 0;
   int maxViews = 40;
+  CutOptions cut;  ///< off: real scanners see more than the object, see cutForRealScanners
   TriangulationOptions triangulation;
   IcpOptions registration;
   MultiViewOptions refinement;
@@ -61,7 +63,7 @@ struct AcquisitionSettings {
 void checkSettings(const AcquisitionSettings& settings);
 
 /// Whether an acquisition that has scans can go on with other settings: its object stays, and so does how scans are
-/// triangulated, which is done anew whenever a session is opened.
+/// cut and triangulated, which is done anew whenever a session is opened.
 [[nodiscard]] bool mayFollow(const AcquisitionSettings& before, const AcquisitionSettings& after);
 /// @throws InvalidInput that names the setting that cannot change
 void checkChange(const AcquisitionSettings& before, const AcquisitionSettings& after);

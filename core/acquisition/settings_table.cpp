@@ -10,6 +10,7 @@ using namespace setting_member;
 
 using Settings = AcquisitionSettings;
 using Simulation = SimulationSettings;
+using Cut = CutOptions;
 using Triangulation = TriangulationOptions;
 using Icp = IcpOptions;
 using Limits = VerdictLimits;
@@ -158,6 +159,29 @@ std::vector<SettingField> planningFields() {
       choice<&Settings::planner, &Planner::voidSpace, &Void::weight>(
           Expert, "void.weight", "Weight of a patch", {"spacing", "triangle"}, "spacing",
           "A void patch counts as edge length times sample spacing, or as the area of the edge's triangle."),
+  };
+}
+
+std::vector<SettingField> cutFields() {
+  return {
+      onOff<&Settings::cut, &Cut::volume>(
+          Basic, "cut.volume", "Cut to the viewing volume", "false",
+          "What a scan shows of the table, and of what stands outside of the viewing volume, is not used."),
+      number<&Settings::cut, &Cut::tableMargin>(
+          Basic, "cut.table_margin", "Margin above the table", "mm", -1000, 1000, "auto",
+          "What lies lower than this above the table is not used; auto follows spacing and noise of the samples."),
+      number<&Settings::cut, &Cut::radiusMargin>(Expert, "cut.radius_margin", "Margin inside the radius", "mm", -1000,
+                                                 1000, "0", "The cut is so much narrower than the viewing volume."),
+      onOff<&Settings::cut, &Cut::flyingPixels>(Basic, "cut.flying_pixels", "Drop flying samples", "false",
+                                                "Samples that lie between front and back of an edge are not used."),
+      number<&Settings::cut, &Cut::flyingJump>(Expert, "cut.flying_jump", "Jump of a flying sample", "", 0.1, 100,
+                                               "1.4",
+                                               "Neighbours are apart by a jump when they are farther from each other "
+                                               "than so many times what surface at the breakdown angle explains."),
+      onOff<&Settings::cut, &Cut::isolated>(Basic, "cut.isolated", "Drop isolated samples", "false",
+                                            "Samples that no neighbour belongs to are not used."),
+      number<&Settings::cut, &Cut::smallestIsland>(Expert, "cut.smallest_island", "Smallest piece of a scan", "", 0,
+                                                   1e6, "0", "Pieces of a scan of fewer samples are not used."),
   };
 }
 
@@ -329,7 +353,7 @@ std::vector<SettingField> integrationFields() {
 
 std::vector<SettingField> allFields() {
   std::vector<SettingField> fields;
-  for (auto part : {acquisitionFields(), planningFields(), registrationFields(), integrationFields()})
+  for (auto part : {acquisitionFields(), planningFields(), cutFields(), registrationFields(), integrationFields()})
     fields.insert(fields.end(), part.begin(), part.end());
   return fields;
 }

@@ -8,6 +8,7 @@ constexpr double kRecordedAngleSlack = radians(5.0);
 
 StepOptions withBreakdownAngle(const AcquisitionSettings& settings, double breakdownAngle) {
   StepOptions options{{},
+                      {{{}, breakdownAngle, 0.0}, settings.cut},
                       settings.triangulation,
                       settings.registration,
                       settings.refinement,
@@ -26,6 +27,7 @@ StepOptions withBreakdownAngle(const AcquisitionSettings& settings, double break
 StepOptions stepOptionsFor(const ScannerProfile& profile, const AcquisitionSettings& settings) {
   StepOptions options = withBreakdownAngle(settings, profile.breakdownAngle);
   options.mechanics = profile.mechanics;
+  options.cut.scene = cutSceneOf(profile);
   return options;
 }
 
@@ -41,11 +43,8 @@ ImportOptions importOptionsFor(const AcquisitionState& state) {
   StepOptions step = stepOptionsFor(state);
   // All scans are there.
   step.zipper.mend = state.settings.zipper.mend;
-  return {step.triangulation,
-          {step.registration, step.refinement, state.settings.alignment},
-          step.zipper,
-          step.consensus,
-          step.planner.voidSpace};
+  return {step.cut,    step.triangulation, {step.registration, step.refinement, state.settings.alignment},
+          step.zipper, step.consensus,     step.planner.voidSpace};
 }
 
 }  // namespace vantage

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "acquisition/acquisition_state.h"
+#include "scanner/scan_cut.h"
 #include "void_space/void_patch_builder.h"
 
 namespace vantage {
@@ -10,6 +11,7 @@ namespace vantage {
 /// Options of every operation that a step runs.
 struct StepOptions {
   std::optional<Mechanics> mechanics;  ///< of the moves between scans; unset: nothing is known of them
+  ScanCut cut;
   TriangulationOptions triangulation;
   IcpOptions registration;
   MultiViewOptions refinement;
@@ -25,6 +27,7 @@ struct StepOptions {
 
 /// Options of an import of recorded scans.
 struct ImportOptions {
+  ScanCut cut;
   TriangulationOptions triangulation;
   AlignmentOptions alignment;
   ZipperOptions zipper;

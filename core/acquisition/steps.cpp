@@ -268,7 +268,7 @@ AcquisitionState addScan(const AcquisitionState& state, const NumberedScan& scan
                          std::optional<PositionScore> predicted, const StepOptions& options, const Progress& progress) {
   const Progress registering = progress.part(0.0, 0.5, name(Phase::Register));
   registering.checkpoint(0.0);
-  KeptScan added = keepAsView(scan, options.triangulation);
+  KeptScan added = keepAsView(scan, options.cut, options.triangulation);
   checkStation(state, added);
   AcquisitionState next = state;
   if (!state.stands[static_cast<std::size_t>(added.station().stand)].T_object_table) {

@@ -25,14 +25,19 @@ Mechanics mechanicsOf(const Rig& rig, const ScannerProfile& profile) {
 
 }  // namespace
 
-TestTurn testTurn(const Rig& rig, const ScannerProfile& profile, int from, int to, const Progress& progress) {
+TestTurn testTurn(const Rig& rig, const ScannerProfile& profile, int from, int to, const CutOptions& cut,
+                  const Progress& progress) {
   TestTurn result;
   result.expected = -turnBetween(profile.workspace, from, to).angle;
   TriangulationOptions triangulation;
   triangulation.breakdownAngle = profile.breakdownAngle;
 
-  const RangeImage first = scanFrom(rig, from, progress.part(0.0, 0.25, name(Phase::Scan)));
-  const RangeImage second = scanFrom(rig, to, progress.part(0.25, 0.5, name(Phase::Scan)));
+  const auto scan = [&](int position, const Progress& scanning) {
+    const RangeImage whole = scanFrom(rig, position, scanning);
+    return cutsNothing(cut) ? whole : withoutCut(whole, cutOf(whole, {cutSceneOf(profile), cut}));
+  };
+  const RangeImage first = scan(from, progress.part(0.0, 0.25, name(Phase::Scan)));
+  const RangeImage second = scan(to, progress.part(0.25, 0.5, name(Phase::Scan)));
   const Progress registering = progress.part(0.5, 1.0, name(Phase::Register));
   registering.checkpoint(0.0);
   const ViewMesh a = triangulate(first, triangulation);

@@ -7,6 +7,7 @@
 #include "registration/icp.h"
 #include "scanner/profile.h"
 #include "scanner/rig.h"
+#include "scanner/scan_cut.h"
 
 namespace vantage {
 
@@ -15,14 +16,14 @@ struct TestTurn {
   double expected = 0.0;    ///< turn of the scanner about the object, counter-clockwise from above [rad]
   double measured = 0.0;    ///< the same as the scans were found [rad]
   double axisOffset = 0.0;  ///< how far the axis moved sideways between the scans [mm]
-  std::size_t samples = 0;  ///< of the first scan
+  std::size_t samples = 0;  ///< of the first scan that are used
   RegistrationResult registration;
 };
 
-/// Scans from two positions with a rig that is open and registers the second scan with the first. Neither is kept.
-/// Steps reported: scan, register.
+/// Scans from two positions with a rig that is open, cuts both scans, and registers the second scan with the first.
+/// Neither is kept. Steps reported: scan, register.
 /// @throws InvalidInput when the first scan has no surface or the workspace lacks a position; DeviceError, Cancelled
-[[nodiscard]] TestTurn testTurn(const Rig& rig, const ScannerProfile& profile, int from, int to,
+[[nodiscard]] TestTurn testTurn(const Rig& rig, const ScannerProfile& profile, int from, int to, const CutOptions& cut,
                                 const Progress& progress);
 
 }  // namespace vantage

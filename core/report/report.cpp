@@ -55,6 +55,16 @@ void addReading(Json& json, const ScanRecord& record) {
   if (record.reading) json["reading"] = readingJson(*record.reading);
 }
 
+// How many samples were left out, by reason.
+void addCut(Json& json, const ScanRecord& record) {
+  if (cutSamples(record.cut) == 0) return;
+  for (std::size_t i = 0; i < kCutReasons; ++i) {
+    const auto reason = static_cast<CutReason>(i);
+    if (reason != CutReason::Kept && reason != CutReason::NoSample && record.cut[i] > 0)
+      json["cut"][std::string(name(reason))] = record.cut[i];
+  }
+}
+
 Json viewJson(const KeptScan& scan, std::size_t index) {
   const ScanRecord& record = scan.record;
   Json json{{"index", index},
@@ -67,6 +77,7 @@ Json viewJson(const KeptScan& scan, std::size_t index) {
             {"predicted", record.predicted ? predictedJson(*record.predicted) : Json(nullptr)},
             {"achieved", {{"new_area_mm2", record.newArea}, {"overlap_mm2", record.overlapArea}}},
             {"registration", registrationJson(record.registration)}};
+  addCut(json, record);
   addReading(json, record);
   if (record.planAfter) {
     json["objective"] = objectiveJson(*record.planAfter);
@@ -86,6 +97,7 @@ Json otherScanJson(const KeptScan& scan) {
             {"stand", scan.station().stand},
             {"position", positionOf(scan)},
             {"registration", registrationJson(scan.record.registration)}};
+  addCut(json, scan.record);
   addReading(json, scan.record);
   return json;
 }

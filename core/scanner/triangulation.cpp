@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "geometry/mesh_topology.h"
+#include "scanner/sample_spacing.h"
 
 namespace vantage {
 namespace {
@@ -24,17 +25,8 @@ class SurfaceTest {
         minCosine_(
             std::cos(std::min(options.breakdownAngle + options.angleSlack.value_or(kAngleSlack), radians(89.0)))) {}
 
-  // Distance of two neighbouring rays where the nearer of their samples lies, across the first.
-  [[nodiscard]] double raySpacing(std::size_t a, std::size_t b) const {
-    const auto depth = static_cast<double>(std::min(image_.range[a], image_.range[b]));
-    const RangingRay& first = image_.rays->ray(std::min(a, b));
-    const RangingRay& second = image_.rays->ray(std::max(a, b));
-    const Vec3 offset = (second.origin - first.origin) + depth * (second.direction - first.direction);
-    return (offset - offset.dot(first.direction) * first.direction).norm();
-  }
-
   [[nodiscard]] bool continuous(std::size_t a, std::size_t b) const {
-    return (image_.point(a) - image_.point(b)).norm() <= maxLengthRatio_ * raySpacing(a, b);
+    return (image_.point(a) - image_.point(b)).norm() <= maxLengthRatio_ * raySpacing(image_, a, b);
   }
 
   // All three samples are there, without a jump between them, and the triangle does not lean too far from its rays. Its
@@ -116,7 +108,7 @@ double medianSpacing(const RangeImage& image, const SurfaceTest& surface) {
       const std::size_t i = rays.index(r, c);
       if (!image.valid(i)) continue;
       for (const std::size_t j : {rays.index(r, c + 1), rays.index(r + 1, c)})
-        if (image.valid(j) && surface.continuous(i, j)) lengths.push_back(surface.raySpacing(i, j));
+        if (image.valid(j) && surface.continuous(i, j)) lengths.push_back(raySpacing(image, i, j));
     }
   }
   if (lengths.empty()) return 0.0;

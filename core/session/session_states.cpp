@@ -149,22 +149,32 @@ std::shared_ptr<const Plan> SessionStates::plan(std::int64_t step) {
   }
 }
 
-std::shared_ptr<const ViewMesh> SessionStates::meshOf(std::int64_t scan, const RangeImage& image,
+CutImage SessionStates::cut(std::int64_t number, const ScanCut& cut) {
+  KnownCut& known = cuts_[number];
+  if (auto image = known.image.lock(); image && known.options == cut.options) return {image, known.counts};
+  CutImage made = cutImage(scan(number), cut);
+  known = {cut.options, made.image, made.counts};
+  return made;
+}
+
+std::shared_ptr<const ViewMesh> SessionStates::meshOf(std::int64_t scan, const std::shared_ptr<const RangeImage>& image,
                                                       const TriangulationOptions& triangulation) {
-  if (auto mesh = meshes_[scan].lock()) return mesh;
-  auto mesh = std::make_shared<const ViewMesh>(triangulate(image, triangulation));
-  meshes_[scan] = mesh;
+  KnownMesh& known = meshes_[scan];
+  if (auto mesh = known.mesh.lock(); mesh && known.image.lock() == image) return mesh;
+  auto mesh = std::make_shared<const ViewMesh>(triangulate(*image, triangulation));
+  known = {image, mesh};
   return mesh;
 }
 
-std::optional<KeptScan> SessionStates::keptScan(const OutlinedScan& outlined,
-                                                const TriangulationOptions& triangulation) {
+std::optional<KeptScan> SessionStates::keptScan(const OutlinedScan& outlined, const StepOptions& options) {
   try {
     KeptScan kept{outlined.scan, outlined.status, {}, *outlined.record};
-    kept.view.image = scan(outlined.scan);
+    const CutImage image = cut(outlined.scan, options.cut);
+    kept.view.image = image.image;
+    kept.record.cut = image.counts;
     kept.view.T_object_scanner = outlined.T_object_scanner;
     if (outlined.status == ScanStatus::In || outlined.status == ScanStatus::LeftOut)
-      kept.view.mesh = meshOf(outlined.scan, *kept.view.image, triangulation);
+      kept.view.mesh = meshOf(outlined.scan, kept.view.image, options.triangulation);
     kept.record.planAfter = plan(outlined.planStep);
     return kept;
   } catch (const InvalidInput& e) {
@@ -220,9 +230,9 @@ AcquisitionState SessionStates::assembled(const History& history, const HistoryE
   state.chosenPosition = outline.chosenPosition;
   if (profile_)
     state.settings.firstView = std::min(state.settings.firstView, static_cast<int>(profile_->workspace.size()) - 1);
-  const TriangulationOptions triangulation = stepOptionsFor(state).triangulation;
+  const StepOptions options = stepOptionsFor(state);
   for (const OutlinedScan& o : outline.scans)
-    if (auto kept = keptScan(o, triangulation)) state.scans.push_back(std::move(*kept));
+    if (auto kept = keptScan(o, options)) state.scans.push_back(std::move(*kept));
 
   const std::vector<View> views = viewsOf(state);
   if (views.empty()) return state;
@@ -291,8 +301,8 @@ StateOutline SessionStates::outline(const AcquisitionState& state, const StateOu
 
 void SessionStates::remember(const StateOutline& outline, const AcquisitionState& state) {
   for (const KeptScan& scan : state.scans) {
-    scans_[scan.number] = scan.view.image;
-    if (scan.view.mesh) meshes_[scan.number] = scan.view.mesh;
+    cuts_[scan.number] = {state.settings.cut, scan.view.image, scan.record.cut};
+    if (scan.view.mesh) meshes_[scan.number] = {scan.view.image, scan.view.mesh};
   }
   models_[outline.modelStep] = state.model;
   if (state.plan) plans_[outline.planStep] = state.plan;

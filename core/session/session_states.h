@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "acquisition/history.h"
+#include "acquisition/step_options.h"
 #include "session/loss.h"
 #include "session/session_store.h"
 
@@ -57,15 +58,27 @@ class SessionStates {
   void remember(const StateOutline& outline, const AcquisitionState& state);
 
  private:
+  /// What was made of a scan, for as long as somebody holds it.
+  struct KnownCut {
+    CutOptions options;
+    std::weak_ptr<const RangeImage> image;
+    CutCounts counts{};
+  };
+  struct KnownMesh {
+    std::weak_ptr<const RangeImage> image;  // that it is of
+    std::weak_ptr<const ViewMesh> mesh;
+  };
+
   /// Whether scans can be of a position; of none they can always be.
   [[nodiscard]] bool exists(std::optional<int> position) const;
   [[nodiscard]] std::shared_ptr<const RayGrid> raysOf(std::int64_t id);
   [[nodiscard]] bool fits(const Plan& plan) const;
-  [[nodiscard]] std::shared_ptr<const ViewMesh> meshOf(std::int64_t scan, const RangeImage& image,
+  [[nodiscard]] CutImage cut(std::int64_t scan, const ScanCut& cut);
+  [[nodiscard]] std::shared_ptr<const ViewMesh> meshOf(std::int64_t scan,
+                                                       const std::shared_ptr<const RangeImage>& image,
                                                        const TriangulationOptions& triangulation);
   /// Nothing when the scan is lost.
-  [[nodiscard]] std::optional<KeptScan> keptScan(const OutlinedScan& outlined,
-                                                 const TriangulationOptions& triangulation);
+  [[nodiscard]] std::optional<KeptScan> keptScan(const OutlinedScan& outlined, const StepOptions& options);
   static void findSteps(OutlinedScan& scan, bool planned, const StateOutline& before, std::int64_t step);
   [[nodiscard]] std::shared_ptr<const Model> modelOf(const AcquisitionState& state, const History& history,
                                                      const HistoryEntry& entry);
@@ -81,7 +94,8 @@ class SessionStates {
   std::vector<Loss>& losses_;
   std::shared_ptr<const ScannerProfile> profile_;
   std::map<std::int64_t, std::weak_ptr<const RangeImage>> scans_;
-  std::map<std::int64_t, std::weak_ptr<const ViewMesh>> meshes_;
+  std::map<std::int64_t, KnownCut> cuts_;
+  std::map<std::int64_t, KnownMesh> meshes_;
   std::map<std::int64_t, std::weak_ptr<const RayGrid>> rays_;
   std::map<std::int64_t, std::weak_ptr<const Model>> models_;
   std::map<std::int64_t, std::weak_ptr<const Plan>> plans_;

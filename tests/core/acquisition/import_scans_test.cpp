@@ -83,7 +83,7 @@ TEST(ImportScans, SaysThatEveryTurnIsHalfOfWhatTheListSays) {
 
 TEST(KeptScan, IsTriangulatedWhereItWasReached) {
   const NumberedScan scan = recordedScans({3})[0];
-  const KeptScan kept = keepAsView(scan, {});
+  const KeptScan kept = keepAsView(scan, {}, {});
   EXPECT_EQ(kept.view.T_object_scanner.matrix(), scan.image->T_table_scanner.matrix());
   EXPECT_EQ(kept.record.samples, scan.image->sampleCount());
   EXPECT_EQ(kept.record.triangles, kept.view.mesh->mesh.triangles.size());

@@ -13,7 +13,7 @@ namespace {
 TestTurn turn(int from, int to, bool ideal) {
   const auto profile = testing::smallProfile();
   const Rig rig = testing::simulation(testing::smallObject(), profile, {7, ideal});
-  return testTurn(rig, *profile, from, to, {});
+  return testTurn(rig, *profile, from, to, {}, {});
 }
 
 TEST(TestTurn, MeasuresTheTurnThatAPerfectTableMakes) {
@@ -29,7 +29,7 @@ TEST(TestTurn, FindsTheErrorThatTheMechanicsMade) {
   const auto profile = testing::smallProfile();
   const SimulationOptions options{7, false};
   const Rig rig = testing::simulation(testing::smallObject(), profile, options);
-  const TestTurn result = testTurn(rig, *profile, 0, 1, {});
+  const TestTurn result = testTurn(rig, *profile, 0, 1, {}, {});
   const SimulatedTable table(profile, options);
   const Pose truth = table.mechanicalError(1) * table.mechanicalError(0).inverse();
   const double error = std::atan2(truth.linear()(1, 0), truth.linear()(0, 0));
@@ -48,7 +48,7 @@ TEST(TestTurn, BelievesThePositionerInHowFarItMayBeOff) {
       static_cast<void>(table->moveTo(position, progress));
     };
     rig.positioner = std::make_shared<HandTable>(sloppy, turn, uncertainty);
-    return testTurn(rig, *profile, 0, 2, {});
+    return testTurn(rig, *profile, 0, 2, {}, {});
   };
   EXPECT_EQ(turnOf({}).registration.verdict, Verdict::Failed);
   EXPECT_NE(turnOf(Mechanics{radians(1.0), 2.0}).registration.verdict, Verdict::Failed);
@@ -57,7 +57,7 @@ TEST(TestTurn, BelievesThePositionerInHowFarItMayBeOff) {
 TEST(TestTurn, SaysWhenTheScannerSeesNothing) {
   const auto profile = testing::smallProfile();
   const Rig rig = testing::simulation(testing::makeSphere(5, 8, {0, 0, 900}), profile, {7, true});
-  EXPECT_THROW(static_cast<void>(testTurn(rig, *profile, 0, 1, {})), InvalidInput);
+  EXPECT_THROW(static_cast<void>(testTurn(rig, *profile, 0, 1, {}, {})), InvalidInput);
 }
 
 }  // namespace

@@ -1,0 +1,75 @@
+#include <gtest/gtest.h>
+
+#include "acquisition/steps.h"
+#include "acquisition/test_turn.h"
+#include "report/report.h"
+#include "support/meshes.h"
+#include "support/scenes/small_scene.h"
+
+namespace vantage {
+namespace {
+
+// The small object before a wall that belongs to the room, and so turns about the table.
+Mesh objectBeforeWall() {
+  return testing::joined(testing::smallObject(), testing::makeBox({-120, -70, 0}, {-110, 70, 110}, 8));
+}
+
+AcquisitionSettings realSettings() {
+  AcquisitionSettings settings;
+  settings.cut = cutForRealScanners();
+  return settings;
+}
+
+AcquisitionState scanned(const Mesh& object, const AcquisitionSettings& settings, const std::vector<int>& positions) {
+  AcquisitionState state;
+  state.profile = testing::smallProfile();
+  state.settings = settings;
+  const Rig rig = testing::simulation(object, state.profile, {1, true});
+  for (const int position : positions) {
+    const auto image = std::make_shared<const RangeImage>(scanFrom(rig, position, Progress()));
+    state =
+        addScan(state, {static_cast<std::int64_t>(state.scans.size()), image}, std::nullopt, stepOptionsFor(state), {});
+  }
+  return state;
+}
+
+double leastX(const Mesh& mesh) {
+  double least = 1e9;
+  for (const Vec3& v : mesh.vertices) least = std::min(least, v.x());
+  return least;
+}
+
+TEST(CutScan, AViewIsWhatIsLeftAndItsRecordSaysWhatIsNot) {
+  const AcquisitionState whole = scanned(objectBeforeWall(), {}, {0});
+  const AcquisitionState cut = scanned(objectBeforeWall(), realSettings(), {0});
+  EXPECT_LT(leastX(whole.model->mesh), -100.0);
+  EXPECT_GT(leastX(cut.model->mesh), -60.0);
+  const ScanRecord& record = cut.scans[0].record;
+  EXPECT_GT(record.cut[static_cast<std::size_t>(CutReason::Outside)], 100U);
+  EXPECT_EQ(record.samples + cutSamples(record.cut), whole.scans[0].record.samples);
+  EXPECT_EQ(record.samples, cut.scans[0].view.image->sampleCount());
+  EXPECT_EQ(cutSamples(whole.scans[0].record.cut), 0U);
+  EXPECT_TRUE(makeReport(cut, "test")["views"][0]["cut"].contains("outside"));
+  EXPECT_FALSE(makeReport(whole, "test")["views"][0].contains("cut"));
+}
+
+TEST(CutScan, SameModelAsWithoutTheWall) {
+  const AcquisitionState cut = scanned(objectBeforeWall(), realSettings(), {0, 2});
+  const AcquisitionState alone = scanned(testing::smallObject(), {}, {0, 2});
+  ASSERT_EQ(countScans(cut, ScanStatus::In), 2U);
+  EXPECT_NEAR(static_cast<double>(cut.model->mesh.vertices.size()),
+              static_cast<double>(alone.model->mesh.vertices.size()),
+              0.01 * static_cast<double>(alone.model->mesh.vertices.size()));
+}
+
+TEST(CutScan, ATestTurnLooksAtTheObjectAlone) {
+  const auto profile = testing::smallProfile();
+  const Mesh scene = objectBeforeWall();
+  const TestTurn whole = testTurn(testing::simulation(scene, profile), *profile, 0, 1, {}, {});
+  const TestTurn cut = testTurn(testing::simulation(scene, profile), *profile, 0, 1, cutForRealScanners(), {});
+  EXPECT_LT(cut.samples, whole.samples);
+  EXPECT_EQ(cut.registration.verdict, Verdict::Good);
+}
+
+}  // namespace
+}  // namespace vantage
