@@ -9,6 +9,7 @@
 
 #include "base/errors.h"
 #include "base/plain_text.h"
+#include "scanner/calibration_file.h"
 #include "scanner/number_table.h"
 #include "scanner/profile_reader.h"
 #include "scanner/profile_workspace.h"
@@ -158,6 +159,43 @@ PositionalSpaceSize readPositionalSpace(JsonObjectReader reader) {
   return size;
 }
 
+// Whether the scanner's rays, inside its range limits, come into the viewing volume of a table at that place.
+bool seesVolume(const ScannerProfile& profile, const Pose& T_table_scanner) {
+  constexpr int kRays = 24;  // along rows and columns
+  constexpr int kDepths = 200;
+  const RayGrid& rays = *profile.rays;
+  const ViewingVolume& volume = profile.viewingVolume;
+  const Vec3 middleOfVolume = T_table_scanner.inverse() * Vec3(0.0, 0.0, 0.5 * volume.height);
+  const double reach = volume.radius + volume.height;
+  for (int k = 0; k < kRays * kRays; ++k) {
+    const GridPosition at{(rays.rows() - 1.0) * (k / kRays) / (kRays - 1),
+                          (rays.columns() - 1.0) * (k % kRays) / (kRays - 1)};
+    const RangingRay& ray = rays.ray(rays.nearest(at));
+    const double middle = (middleOfVolume - ray.origin).dot(ray.direction);
+    for (int i = 0; i <= kDepths; ++i) {
+      const double range = middle + reach * (2.0 * i / kDepths - 1.0);
+      if (range < profile.minRange || range > profile.maxRange) continue;
+      const Vec3 p = T_table_scanner * (ray.origin + range * ray.direction);
+      if (p.head<2>().norm() <= volume.radius && p.z() >= 0.0 && p.z() <= volume.height) return true;
+    }
+  }
+  return false;
+}
+
+// The table is where its calibration has it.
+void calibrate(JsonObjectReader& reader, ScannerProfile& profile) {
+  JsonObjectReader object = reader.object("calibration");
+  const TableCalibration calibration = readCalibration(object);
+  if (calibration.verdict == CalibrationVerdict::Failed)
+    object.fail("verdict", "good or doubtful: one that failed cannot be used, calibrate again");
+  const Pose T_table_scanner = tablePose(calibration);
+  if (T_table_scanner.translation().cwiseAbs().maxCoeff() > kMaxCoordinate || !seesVolume(profile, T_table_scanner))
+    object.fail("axis", "an axis whose viewing volume the scanner sees: calibrate this scanner before this table");
+  for (Pose& pose : profile.workspace.poses) pose = pose * T_table_scanner;
+  profile.workspace.T_table_scanner0 = T_table_scanner;
+  profile.calibration = calibration;
+}
+
 }  // namespace
 
 ProfileSource readProfileSource(const std::string& path) {
@@ -197,6 +235,7 @@ ScannerProfile parseProfile(const ProfileSource& source) {
     profile.mechanics.positionSigma = mechanics.number("position_sigma_mm", 0.0, 1000.0, false, 0.0);
     mechanics.finish();
   }
+  if (reader.has("calibration")) calibrate(reader, profile);
   reader.finish();
   return profile;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string_view>
 
 #include "geometry/vectors.h"
 
@@ -22,5 +23,15 @@ struct TableCalibration {
   double residual = 0.0;  ///< root mean square of what the scans do not fit the axis [mm]
   CalibrationVerdict verdict = CalibrationVerdict::Good;
 };
+
+/// "good", "doubtful", "failed".
+[[nodiscard]] std::string_view name(CalibrationVerdict verdict);
+
+/// Where the axis meets the table plane, scanner coordinates [mm]. @pre the axis is not parallel to the plane
+[[nodiscard]] Vec3 tableCentre(const TableCalibration& calibration);
+
+/// T_table_scanner at position 0: makes the axis the z axis and the place where it meets the table plane the origin, by
+/// the smallest rotation. @pre the axis is not parallel to the plane
+[[nodiscard]] Pose tablePose(const TableCalibration& calibration);
 
 }  // namespace vantage

@@ -9,30 +9,31 @@
 namespace vantage {
 namespace {
 
-const Pose& poseAt(const Workspace& workspace, int position) {
+// As it would be without a calibration, which may have the scanner's axes anywhere.
+Eigen::Matrix3d rotationAt(const Workspace& workspace, int position) {
   if (position < 0 || position >= static_cast<int>(workspace.size()))
     throw InvalidInput("there is no position " + std::to_string(position) + ", the workspace has " +
                        std::to_string(workspace.size()));
-  return workspace.poses[static_cast<std::size_t>(position)];
+  return workspace.poses[static_cast<std::size_t>(position)].linear() * workspace.T_table_scanner0.linear().transpose();
 }
 
 // A tilt turns about the scanner's y axis, so that axis tells the turn alone; the place of the scanner tells it only
 // when that is on its x axis.
-double turnOf(const Pose& pose) {
-  const Vec3 y = pose.linear().col(1);
+double turnOf(const Eigen::Matrix3d& rotation) {
+  const Vec3 y = rotation.col(1);
   return std::atan2(y.y(), y.x());
 }
 
 // The scanner looks along -x: when it looks down, its x axis rises.
-double tilt(const Pose& pose) {
-  return std::asin(std::clamp(pose.linear()(2, 0), -1.0, 1.0));
+double tilt(const Eigen::Matrix3d& rotation) {
+  return std::asin(std::clamp(rotation(2, 0), -1.0, 1.0));
 }
 
 }  // namespace
 
 TableTurn turnBetween(const Workspace& workspace, int from, int to) {
-  const Pose& a = poseAt(workspace, from);
-  const Pose& b = poseAt(workspace, to);
+  const Eigen::Matrix3d a = rotationAt(workspace, from);
+  const Eigen::Matrix3d b = rotationAt(workspace, to);
   double angle = std::remainder(turnOf(a) - turnOf(b), 2.0 * kPi);
   if (angle <= -kPi + 1e-12) angle = kPi;
   return {angle, tilt(b) - tilt(a)};

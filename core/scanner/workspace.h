@@ -7,13 +7,16 @@
 namespace vantage {
 
 /// The workspace X: every pose x_i that the scanner can take relative to the table, T_table_scanner, by position. x_0
-/// is the identity for turntables: the table's frame, which turns with it, is the scanner's frame at position 0. How
-/// the object stands on the table is another matter, see Stand.
+/// is the identity for turntables that are not calibrated: the table's frame, which turns with it, is the scanner's
+/// frame at position 0. How the object stands on the table is another matter, see Stand.
 struct Workspace {
   std::vector<Pose> poses;
   /// Turntable positions per full turn; poses i and i + 1 of one tilt differ by a turn of 2 pi / steps about z. 0 when
   /// the poses have no such order.
   int steps = 0;
+  /// C: where a calibration has the scanner against where the profile has it, the last factor of every pose. Identity
+  /// without one.
+  Pose T_table_scanner0 = Pose::Identity();
 
   [[nodiscard]] std::size_t size() const { return poses.size(); }
 };

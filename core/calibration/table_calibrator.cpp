@@ -1,0 +1,332 @@
+#include "calibration/table_calibrator.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "base/errors.h"
+#include "calibration/commanded_turns.h"
+#include "calibration/table_plane.h"
+#include "calibration/turning_views.h"
+
+namespace vantage {
+namespace {
+
+constexpr std::size_t kFewestScans = 3;
+constexpr std::size_t kMostScans = 12;
+constexpr double kRoughLean = radians(30.0);
+constexpr double kPlaneLean = radians(6.0);
+constexpr double kMinOverlap = 0.05;
+constexpr std::size_t kFinePoints = 60000;
+constexpr std::size_t kLeastPoints = 500;
+constexpr double kFineGates = 3.0;
+// A search that came to less than that need not be repeated from elsewhere.
+constexpr double kGoodMisfit = 0.25;
+// Where angles count, by what they do at that distance from the axis [mm].
+constexpr double kDistance = 50.0;
+constexpr double kResidualLarge = 3.0;
+// Covariances of surfaces take samples for independent, which they are not.
+constexpr double kSigmaFactor = 2.0;
+
+void require(std::span<const CalibrationScan> scans) {
+  if (scans.size() < kFewestScans || scans.size() > kMostScans)
+    throw InvalidInput("there are " + std::to_string(scans.size()) + " scans, expected " +
+                       std::to_string(kFewestScans) + " to " + std::to_string(kMostScans) + " at known table angles");
+  for (std::size_t k = 0; k < scans.size(); ++k)
+    if (!std::isfinite(scans[k].tableAngle))
+      throw InvalidInput("scan " + std::to_string(k + 1) + " has no table angle, expected a number of degrees");
+}
+
+std::vector<double> anglesOf(std::span<const CalibrationScan> scans) {
+  std::vector<double> angles;
+  for (const CalibrationScan& scan : scans) angles.push_back(scan.tableAngle);
+  return angles;
+}
+
+double spanOf(const std::vector<double>& values) {
+  const auto [least, most] = std::minmax_element(values.begin(), values.end());
+  return *most - *least;
+}
+
+struct RoughAxis {
+  Vec3 point;
+  Vec3 direction;
+};
+
+// Where the axis may be, the likeliest first: where the profile has it, upright on the table top; through the middle of
+// what turns, and behind that, as a scanner sees but its front.
+std::vector<RoughAxis> roughAxes(const std::optional<PlaneFit>& table, const Vec3& centre, const RayGrid& rays,
+                                 double extent) {
+  const Vec3 up = table ? table->normal : Vec3::UnitZ();
+  const Vec3 sight = (centre - rays.rayAt({0.5 * (rays.rows() - 1), 0.5 * (rays.columns() - 1)}).origin).normalized();
+  std::vector<RoughAxis> axes{{Vec3::Zero(), up}};
+  for (const double behind : {0.2, 0.0, 0.4}) axes.push_back({centre + behind * extent * sight, up});
+  if (table) return axes;
+  // The frame of the scanner may lie anyhow: upright is then along the columns of its grid.
+  const auto at = [&](double row) { return rays.rayAt({row * (rays.rows() - 1), 0.5 * (rays.columns() - 1)}); };
+  const double depth = (centre - at(0.5).origin).norm();
+  const Vec3 across = at(0.0).origin + depth * at(0.0).direction - at(1.0).origin - depth * at(1.0).direction;
+  const Vec3 alongColumns = across.dot(Vec3::UnitZ()) < 0.0 ? -across.normalized() : across.normalized();
+  if (alongColumns.dot(up) < std::cos(kRoughLean)) {
+    axes.push_back({centre + 0.2 * extent * sight, across.normalized()});
+    axes.push_back({centre, across.normalized()});
+  }
+  return axes;
+}
+
+std::vector<TurnCandidate> search(const TurningViews& views, std::span<const CalibrationScan> scans,
+                                  const std::optional<PlaneFit>& table, const RegistrationScale& scale,
+                                  const RatioRange& range, const Progress& progress) {
+  const std::vector<double> tableAngles = anglesOf(scans);
+  const auto axes = roughAxes(table, views.centre(), *scans.front().image->rays, scale.extent);
+  std::vector<TurnCandidate> best;
+  for (std::size_t k = 0; k < axes.size(); ++k) {
+    const double count = static_cast<double>(axes.size());
+    auto candidates = searchTurns(views.views(), tableAngles, axes[k].point, axes[k].direction, scale, range,
+                                  progress.part(static_cast<double>(k) / count, static_cast<double>(k + 1) / count));
+    if (candidates.empty()) continue;
+    if (best.empty() || candidates.front().misfit < best.front().misfit) best = std::move(candidates);
+    if (best.front().misfit < kGoodMisfit) break;
+  }
+  return best;
+}
+
+// The motion fitted to all pairs of scans that overlap.
+ScrewFit refined(const TurningViews& views, const ScrewMotion& start, const RegistrationScale& scale,
+                 const Progress& progress) {
+  const double gate = fineGate(scale);
+  const PairGates gates{kFineGates * gate, std::max(scale.extent / 12.0, 4.0 * gate), radians(45.0)};
+  auto links =
+      findLinks(views.views(), start.poses(), gates, kMinOverlap, kFinePoints, kLeastPoints, progress.part(0.0, 0.2));
+  const ScrewSchedule schedule{gates.distance, gate, gates.depth, 40, 1e-3};
+  return fitScrew(views.views(), start, std::move(links), schedule, ScrewPrior(), progress.part(0.2, 1.0));
+}
+
+struct Sigmas {
+  double lean = 1e3;   // [rad]
+  double shift = 1e6;  // [mm]
+  double angle = 1e3;  // [rad]
+};
+
+double largest(const Eigen::Matrix2d& covariance) {
+  return std::sqrt(std::max(0.0, Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(covariance).eigenvalues()[1]));
+}
+
+// A sample that is in many pairs says no more than one.
+Sigmas sigmasOf(const ScrewFit& fit, const std::vector<std::size_t>& samples) {
+  double pairs = 0.0;
+  double independent = 0.0;
+  for (const ViewLink& link : fit.links) pairs += static_cast<double>(link.pairs.size());
+  for (const std::size_t count : samples) independent += static_cast<double>(count);
+  const Eigen::Index size = fit.information.rows();
+  const Eigen::LDLT<Eigen::MatrixXd> factors(fit.information);
+  if (factors.info() != Eigen::Success || !factors.isPositive() || factors.rcond() < 1e-14) return {};
+  const Eigen::MatrixXd covariance = kSigmaFactor * kSigmaFactor * std::max(1.0, pairs / std::max(independent, 1.0)) *
+                                     factors.solve(Eigen::MatrixXd::Identity(size, size));
+  if (!covariance.allFinite() || covariance.diagonal().minCoeff() < 0.0) return {};
+  return {largest(covariance.topLeftCorner<2, 2>()), largest(covariance.block<2, 2>(2, 2)),
+          std::sqrt(covariance.diagonal().tail(size - 4).maxCoeff())};
+}
+
+// The same turns about the axis in the direction that points up from the table.
+ScrewMotion upright(ScrewMotion motion, const Vec3& up, const Vec3& centre) {
+  motion.point = motion.nearestTo(centre);
+  if (motion.direction.dot(up) >= 0.0) return motion;
+  motion.direction = -motion.direction;
+  for (double& angle : motion.angles) angle = -angle;
+  return motion;
+}
+
+std::vector<ScanResidual> residualsOf(std::span<const CalibrationScan> scans, const ScrewFit& fit,
+                                      const CommandedTurns& turns, const std::vector<std::size_t>& moving) {
+  std::vector<ScanResidual> residuals;
+  for (std::size_t k = 0; k < scans.size(); ++k) {
+    ScanResidual residual{scans[k].tableAngle, fit.motion.angles[k], turns.off[k], 0.0, 0, moving[k]};
+    double squares = 0.0;
+    for (const ViewLink& link : fit.links) {
+      if (link.from != k && link.to != k) continue;
+      for (const Pair& pair : link.pairs) {
+        if (pair.state != PairState::Paired) continue;
+        squares += pair.distance * pair.distance;
+        ++residual.pairs;
+      }
+    }
+    if (residual.pairs > 0) residual.rms = std::sqrt(squares / static_cast<double>(residual.pairs));
+    residuals.push_back(residual);
+  }
+  return residuals;
+}
+
+// Height of the lowest point of what turns, along an axis from its point.
+double lowestPoint(const TurningViews& views, const ScrewMotion& motion) {
+  std::vector<double> heights;
+  for (const PreparedView& view : views.views())
+    for (const Vec3& p : view.points.points) heights.push_back((p - motion.point).dot(motion.direction));
+  if (heights.empty()) return 0.0;
+  // A few samples fly.
+  const auto low = heights.begin() + static_cast<std::ptrdiff_t>(heights.size() / 200);
+  std::nth_element(heights.begin(), low, heights.end());
+  return *low;
+}
+
+// Makes the findings one after the other; the first that is fatal ends it.
+class Calibrator {
+ public:
+  Calibrator(std::span<const CalibrationScan> scans, const ScannerProfile& profile, const CalibrationOptions& options)
+      : scans_(scans), profile_(profile), options_(options) {}
+
+  CalibrationResult run(const Progress& progress) {
+    solve(progress);
+    auto& findings = result_.findings;
+    std::stable_sort(findings.begin(), findings.end(),
+                     [](const auto& a, const auto& b) { return worthOf(a) > worthOf(b); });
+    result_.calibration.verdict = findings.empty() ? CalibrationVerdict::Good : worthOf(findings.front());
+    return std::move(result_);
+  }
+
+ private:
+  void find(CalibrationReason reason, std::optional<double> value = {}, std::optional<std::size_t> scan = {}) {
+    result_.findings.push_back({reason, value, scan});
+  }
+
+  void solve(const Progress& progress);
+  [[nodiscard]] bool turnsEnough(const TurningViews& views);
+  [[nodiscard]] bool judgeFit(const std::vector<TurnCandidate>& candidates);
+  void judgeSigmas(const ScrewFit& fit, const TurningViews& views);
+  void judgeTurns(const ScrewFit& fit, const TurningViews& views);
+  void judgeResiduals(const ScrewFit& fit, const RegistrationScale& scale);
+  void placeTable(const ScrewMotion& motion, const TurningViews& views,
+                  std::span<const std::vector<SampleMotion>> motions);
+
+  std::span<const CalibrationScan> scans_;
+  const ScannerProfile& profile_;
+  const CalibrationOptions& options_;
+  CalibrationResult result_;
+};
+
+void Calibrator::solve(const Progress& progress) {
+  const double commanded = spanOf(anglesOf(scans_));
+  if (options_.ratio.most * radians(commanded) < options_.leastTurn)
+    return find(CalibrationReason::TooSmallTurn, commanded);
+  const auto motions = sampleMotions(scans_);
+  TablePlaneSearch rough;
+  rough.mostLean = kRoughLean;
+  const auto table = findTablePlane(scans_, motions, rough);
+  progress.checkpoint(0.05);
+  const TurningViews moving(scans_, motions, table, profile_.breakdownAngle, progress.part(0.05, 0.1));
+  if (!turnsEnough(moving)) return;
+
+  const RegistrationScale scale = scaleOf(moving.views());
+  const auto candidates = search(moving, scans_, table, scale, options_.ratio, progress.part(0.1, 0.6));
+  if (!judgeFit(candidates)) return;
+  const ScrewFit first = refined(moving, candidates.front().fit.motion, scale, progress.part(0.6, 0.7));
+  const TurningViews whole = moving.withRound(first.motion, kFineGates * fineGate(scale), progress.part(0.7, 0.8));
+  ScrewFit fit = refined(whole, first.motion, scale, progress.part(0.8, 0.98));
+  fit.motion.point = fit.motion.nearestTo(whole.centre());
+  judgeSigmas(fit, whole);
+  const ScrewMotion motion = upright(fit.motion, table ? table->normal : Vec3::UnitZ(), whole.centre());
+  fit.motion = motion;
+  judgeTurns(fit, moving);
+  judgeResiduals(fit, scale);
+  placeTable(motion, whole, motions);
+}
+
+bool Calibrator::turnsEnough(const TurningViews& views) {
+  const auto fewest = std::min_element(views.samples().begin(), views.samples().end());
+  if (*fewest >= options_.leastSamples) return true;
+  find(CalibrationReason::NothingTurns, static_cast<double>(*fewest),
+       static_cast<std::size_t>(fewest - views.samples().begin()));
+  return false;
+}
+
+bool Calibrator::judgeFit(const std::vector<TurnCandidate>& candidates) {
+  if (candidates.empty() || candidates.front().misfit > options_.mostMisfit) {
+    find(CalibrationReason::NoCommonAxis, candidates.empty() ? 1.0 : candidates.front().misfit);
+    return false;
+  }
+  const TurnCandidate& best = candidates.front();
+  for (std::size_t k = 1; k < candidates.size(); ++k) {
+    if (candidates[k].misfit > options_.leastRival * best.misfit) continue;
+    find(CalibrationReason::Rival, candidates[k].turnsPerCount);
+    break;
+  }
+  return true;
+}
+
+void Calibrator::judgeSigmas(const ScrewFit& fit, const TurningViews& views) {
+  const Sigmas sigmas = sigmasOf(fit, views.samples());
+  result_.calibration.sigma = std::min(sigmas.shift, 1e5);
+  result_.calibration.angleSigma = std::min(sigmas.lean, kPi);
+  const double unsure = std::max({sigmas.shift, kDistance * sigmas.lean, kDistance * sigmas.angle});
+  if (unsure > options_.notObservable) {
+    find(CalibrationReason::RotationNotObservable, unsure);
+  } else if (sigmas.shift > options_.unsure || sigmas.lean > options_.unsureAngle) {
+    find(CalibrationReason::Unsure, std::max(sigmas.shift, kDistance * sigmas.lean));
+  }
+}
+
+void Calibrator::judgeTurns(const ScrewFit& fit, const TurningViews& views) {
+  const CommandedTurns turns = explainTurns(anglesOf(scans_), fit.motion.angles);
+  result_.calibration.sense = turns.sense;
+  result_.calibration.degreesPerCommandedDegree = turns.ratio;
+  result_.scans = residualsOf(scans_, fit, turns, views.samples());
+  const double turned = spanOf(fit.motion.angles);
+  if (turned < options_.leastTurn) find(CalibrationReason::TooSmallTurn, degrees(turned));
+  if (turns.slippedBefore)
+    find(CalibrationReason::Slip, turns.sense * degrees(turns.off[*turns.slippedBefore]), turns.slippedBefore);
+  if (turns.sense < 0) find(CalibrationReason::TurnsOtherWay);
+  if (turns.ratio != 1.0) find(CalibrationReason::OtherRatio, turns.ratio);
+}
+
+void Calibrator::judgeResiduals(const ScrewFit& fit, const RegistrationScale& scale) {
+  double squares = 0.0;
+  double pairs = 0.0;
+  std::size_t worst = 0;
+  for (std::size_t k = 0; k < result_.scans.size(); ++k) {
+    const ScanResidual& scan = result_.scans[k];
+    squares += scan.rms * scan.rms * static_cast<double>(scan.pairs);
+    pairs += static_cast<double>(scan.pairs);
+    if (scan.rms > result_.scans[worst].rms) worst = k;
+  }
+  result_.calibration.residual = pairs > 0.0 ? std::sqrt(squares / pairs) : 0.0;
+  // Both surfaces of a pair have noise; between samples they are chords.
+  const double explained = std::sqrt(2.0) * scale.noise + 0.05 * scale.spacing;
+  if (fit.sigma > kResidualLarge * explained) find(CalibrationReason::ResidualLarge, fit.sigma / explained, worst);
+}
+
+void Calibrator::placeTable(const ScrewMotion& motion, const TurningViews& views,
+                            std::span<const std::vector<SampleMotion>> motions) {
+  TableCalibration& calibration = result_.calibration;
+  calibration.axisPoint = motion.point;
+  calibration.axisDirection = motion.direction;
+  const TablePlaneSearch near{motion.direction, kPlaneLean, motion.point, 1.2 * profile_.viewingVolume.radius};
+  if (const auto plane = findTablePlane(scans_, motions, near)) {
+    calibration.planeNormal = plane->normal;
+    calibration.planeOffset = plane->offset;
+    result_.planeSigma = plane->rms / std::sqrt(static_cast<double>(plane->count)) *
+                         (1.0 + (tableCentre(calibration) - plane->centre).norm() / std::max(plane->extent, 1.0));
+    const double lean = std::acos(std::min(1.0, plane->normal.dot(motion.direction)));
+    if (lean > options_.planeLean) find(CalibrationReason::PlaneLeans, degrees(lean));
+    return;
+  }
+  find(CalibrationReason::TableNotSeen);
+  // The profile's table plane is z = 0; nothing of the object is below the table.
+  double height = lowestPoint(views, motion);
+  if (motion.direction.z() > std::cos(kRoughLean)) height = std::min(height, -motion.point.z() / motion.direction.z());
+  calibration.planeNormal = motion.direction;
+  calibration.planeOffset = -motion.direction.dot(motion.point) - height;
+}
+
+}  // namespace
+
+CalibrationResult calibrateTable(std::span<const CalibrationScan> scans, const ScannerProfile& profile,
+                                 const CalibrationOptions& options, const Progress& progress) {
+  require(scans);
+  CalibrationResult result = Calibrator(scans, profile, options).run(progress);
+  progress.checkpoint(1.0);
+  return result;
+}
+
+}  // namespace vantage

@@ -1,0 +1,91 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/progress.h"
+#include "calibration/sample_motion.h"
+#include "calibration/turn_search.h"
+#include "scanner/profile.h"
+
+namespace vantage {
+
+/// What was found when a table was calibrated.
+enum class CalibrationReason : std::uint8_t {
+  // With these it has failed.
+  NothingTurns,           ///< too few samples move between the scans [samples of the scan that has fewest]
+  TooSmallTurn,           ///< the table turned too little in all [deg]
+  RotationNotObservable,  ///< what was scanned looks the same however it is turned [mm that the axis is unsure by]
+  NoCommonAxis,           ///< no turn about one axis brings the scans together [misfit, 0..1]
+  Slip,                   ///< the table stands elsewhere than it counts from this scan on [deg]
+  // With these it is doubtful.
+  Rival,          ///< another way of turning fits nearly as well [turned / counted]
+  Unsure,         ///< the axis is unsure [mm]
+  ResidualLarge,  ///< scans do not fit a pure turn as noise and spacing explain [multiples of that]
+  PlaneLeans,     ///< the table top leans against the axis: it wobbles, or is no table top [deg]
+  // These an operator should know.
+  TurnsOtherWay,  ///< the table counts upwards as it turns clockwise
+  OtherRatio,     ///< a degree that it counts is not a degree that it turns [turned / counted]
+  TableNotSeen,   ///< no scan shows the table top: its height is the profile's, or that of the lowest sample
+};
+inline constexpr CalibrationReason kLastCalibrationReason = CalibrationReason::TableNotSeen;
+
+/// "nothing_turns", "too_small_turn", ...
+[[nodiscard]] std::string_view name(CalibrationReason reason);
+
+struct CalibrationFinding {
+  CalibrationReason reason = CalibrationReason::NothingTurns;
+  std::optional<double> value;      ///< what was measured, in the unit of the reason
+  std::optional<std::size_t> scan;  ///< that it is about
+
+  friend bool operator==(const CalibrationFinding&, const CalibrationFinding&) = default;
+};
+/// What it means, and what to do about it, as one sentence.
+[[nodiscard]] std::string describe(const CalibrationFinding& finding);
+/// What a calibration with that finding is worth at most.
+[[nodiscard]] CalibrationVerdict worthOf(const CalibrationFinding& finding);
+
+/// How one scan fits the calibration.
+struct ScanResidual {
+  double tableAngle = 0.0;  ///< as the table counted [deg]
+  double turned = 0.0;      ///< as it was found, about the axis, 0 in the first scan [rad]
+  double off = 0.0;         ///< that, less what the table counted, made true by sense and ratio [rad]
+  double rms = 0.0;         ///< of the pairs with all other scans [mm]
+  std::size_t pairs = 0;
+  std::size_t moving = 0;  ///< samples that move
+};
+
+struct CalibrationOptions {
+  RatioRange ratio;
+  double leastTurn = radians(20.0);    ///< of the table in all [rad]
+  std::size_t leastSamples = 300;      ///< that move, in every scan
+  double unsure = 0.2;                 ///< sigma of the axis at the object; more: doubtful [mm]
+  double unsureAngle = radians(0.15);  ///< and of its direction [rad]
+  double notObservable = 1.0;          ///< sigma of the axis or, at 50 mm, of an angle; more: failed [mm]
+  double mostMisfit = 0.4;             ///< failed [share]
+  double leastRival = 1.6;             ///< a rival has at most so many times the misfit
+  double planeLean = radians(1.0);     ///< doubtful [rad]
+};
+
+struct CalibrationResult {
+  TableCalibration calibration;  ///< its verdict says what the other values are worth
+  double planeSigma = 0.0;       ///< of the table plane at the axis; 0 where it was not seen [mm]
+  std::vector<ScanResidual> scans;
+  std::vector<CalibrationFinding> findings;  ///< the gravest first
+};
+
+/// Finds where a turntable stands before a scanner, and how it turns, from 3 to 12 scans of any object on it at table
+/// angles that are known as the table counts. What moves between the scans is the object; what does not is table top
+/// and background and has no say about the turn. All ratios and both senses are tried from a rough axis, the profile's
+/// or that of the table top; then axis and angles of all scans are fitted together (see fitScrew). What fails does so
+/// with a verdict and findings, not with an exception.
+/// @throws InvalidInput for another number of scans, and when they are not of one scanner; Cancelled
+[[nodiscard]] CalibrationResult calibrateTable(std::span<const CalibrationScan> scans, const ScannerProfile& profile,
+                                               const CalibrationOptions& options = {}, const Progress& progress = {});
+
+}  // namespace vantage
