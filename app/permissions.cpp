@@ -42,6 +42,7 @@ QString Permissions::whyNoDevices() const {
 QString Permissions::whyNotRun() const {
   if (at_.mode == Mode::Assisted)
     return tr("You turn the table yourself: scan one view at a time, or choose automatic.");
+  if (at_.setUp && turnedByHand(*at_.setUp)) return tr("The table is turned by hand: choose assisted.");
   return whyNotScan();
 }
 

@@ -73,6 +73,7 @@ void SessionController::prepare() {
       [choice = choice_, cache = cacheFolder_](const Progress& p) { return prepareSetUp(choice, cache, p); },
       [this](SharedSetUp setUp) {
         setUp_ = std::move(setUp);
+        if (!session_ && turnedByHand(*setUp_)) mode_ = Mode::Assisted;
         if (!setUp_->notes.empty()) emit message(QString::fromStdString(setUp_->notes));
         emit setUpChanged();
       });

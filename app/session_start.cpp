@@ -10,10 +10,27 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// The devices that a session is scanned with.
+constexpr const char* kRigNote = "rig";
+
 std::string freeName(const fs::path& folder) {
   fs::path path = folder / "session.vantage";
   for (int i = 2; fs::exists(path); ++i) path = folder / ("session-" + std::to_string(i) + ".vantage");
   return path.string();
+}
+
+// A session may come from anywhere: it runs no program that it names.
+void restoreRig(const Session& session, SetUp& setUp) {
+  const std::string text = session.note(kRigNote);
+  if (text.empty()) return;
+  try {
+    const RigDescription rig = parseRigFile(text, session.path()).rig;
+    if (std::holds_alternative<ProgramDevice>(rig.sensor) || std::holds_alternative<ProgramDevice>(rig.table))
+      throw InvalidInput(session.path() + ": was scanned with a program, which is not run because a session names it");
+    setUp.choice.rig = rig;
+  } catch (const InvalidInput& e) {
+    setUp.notes = e.what();
+  }
 }
 
 }  // namespace
@@ -23,8 +40,10 @@ std::shared_ptr<Session> createSession(const SetUp& setUp) {
   fs::create_directories(setUp.choice.folder, error);
   if (error) throw IoError(setUp.choice.folder, "cannot be made a folder: " + error.message());
   const Mesh* object = setUp.object ? setUp.object->mesh.get() : nullptr;
-  return std::make_shared<Session>(
+  auto session = std::make_shared<Session>(
       Session::create(freeName(setUp.choice.folder), {setUp.source, setUp.choice.settings, object, setUp.profile}));
+  session->setNote(kRigNote, rigFileText({setUp.choice.rig, {}}));
+  return session;
 }
 
 OpenedSession openSession(const std::string& path, const std::string& cacheFolder, const Progress& progress) {
@@ -39,7 +58,10 @@ OpenedSession openSession(const std::string& path, const std::string& cacheFolde
     opened.setUp = setUp;
     return opened;
   }
-  if (!setUp->choice.settings.simulation.object.empty()) {
+  restoreRig(*opened.session, *setUp);
+  if (!std::holds_alternative<SimulatedSensorDevice>(setUp->choice.rig.sensor)) {
+    connectDevices(*setUp);
+  } else if (!setUp->choice.settings.simulation.object.empty()) {
     try {
       Mesh mesh = opened.session->object(progress.part(0.4, 0.5, "read object"));
       placeObject(*setUp, std::make_shared<const Mesh>(std::move(mesh)));

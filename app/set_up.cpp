@@ -24,21 +24,35 @@ ObjectOnTable measured(std::shared_ptr<const Mesh> mesh, const ViewingVolume& vo
 
 void placeObject(SetUp& setUp, std::shared_ptr<const Mesh> mesh) {
   const AcquisitionSettings& settings = setUp.choice.settings;
-  setUp.devices = Simulated{mesh, setUp.profile, {settings.simulation.seed, settings.simulation.ideal}};
+  HandTable::AskPerson ask;
+  if (turnedByHand(setUp)) ask = [](int, const Progress&) {};
+  setUp.devices = Simulated{mesh, setUp.profile, {settings.simulation.seed, settings.simulation.ideal}, ask};
   setUp.object = measured(std::move(mesh), setUp.profile->viewingVolume);
 }
 
+void connectDevices(SetUp& setUp) {
+  setUp.devices = RealDevices{setUp.choice.rig, setUp.profile, [](int, const Progress&) {}};
+}
+
+bool turnedByHand(const SetUp& setUp) {
+  return std::holds_alternative<HandTableDevice>(setUp.choice.rig.table);
+}
+
 bool operator==(const SetUpChoice& a, const SetUpChoice& b) {
-  return a.scanner == b.scanner && a.folder == b.folder && a.settings == b.settings;
+  return a.rig == b.rig && a.scanner == b.scanner && a.folder == b.folder && a.settings == b.settings;
 }
 
 SharedSetUp prepareSetUp(const SetUpChoice& choice, const std::string& cacheFolder, const Progress& progress) {
   auto setUp = std::make_shared<SetUp>();
   setUp->choice = choice;
   progress.part(0.0, 0.05, "read profile").checkpoint(0.0);
-  setUp->source = readProfileSource(choice.scanner);
+  RigDescription rig = choice.rig;
+  rig.scanner = choice.scanner;
+  setUp->source = profileOf(rig);
   setUp->profile = std::make_shared<const ScannerProfile>(parseProfile(setUp->source));
-  if (!choice.settings.simulation.object.empty()) {
+  if (!isSimulated(choice.rig)) {
+    connectDevices(*setUp);
+  } else if (!choice.settings.simulation.object.empty()) {
     const SimulationSettings& simulation = choice.settings.simulation;
     const PlacementOptions placement{simulation.placement, simulation.unit};
     PlacedMesh loaded = loadPlacedMesh(simulation.object, placement, setUp->profile->viewingVolume,

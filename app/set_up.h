@@ -7,6 +7,7 @@
 #include "acquisition/acquisition_state.h"
 #include "base/progress.h"
 #include "devices/device_factory.h"
+#include "devices/rig_set_up.h"
 #include "geometry/mesh.h"
 #include "positional_space/scanner_images.h"
 #include "scanner/profile.h"
@@ -15,6 +16,7 @@ namespace vantage {
 
 /// What an operator chooses before the first scan.
 struct SetUpChoice {
+  RigDescription rig;            ///< what scans and what turns
   std::string scanner;           ///< profile file
   std::string folder;            ///< where session, models and report go
   AcquisitionSettings settings;  ///< names the object
@@ -41,6 +43,11 @@ struct SetUp {
   std::shared_ptr<const ScannerImages> images;
   std::string notes;  ///< what was done to the object while reading it, or why it could not be read; empty for nothing
 };
+/// Puts the devices that were chosen before a set-up whose profile is known; a person who turns the table has done so
+/// before they ask for a scan.
+void connectDevices(SetUp& setUp);
+/// Whether a person turns the table.
+[[nodiscard]] bool turnedByHand(const SetUp& setUp);
 using SharedSetUp = std::shared_ptr<const SetUp>;
 
 /// Puts a mesh before the simulated scanner of a set-up whose profile and settings are known.

@@ -25,7 +25,7 @@ struct AcquireArguments {
   bool replace = false;
   std::optional<double> unit;  ///< of the mesh [mm]
   SettingsArguments given;
-  AcquisitionSettings settings;  ///< as given
+  AcquisitionSettings settings;  ///< once the devices are known
 };
 
 // The object as the scanner will see it.
@@ -63,7 +63,9 @@ void run(const AcquireArguments& given, CommandContext& context) {
   AcquireArguments args = given;
   const RigFile file = args.rig.described();
   const bool simulated = isSimulated(file.rig);
-  if (!simulated) args.settings = withCut(args.settings, file);
+  args.settings = args.given.applied(simulated ? AcquisitionSettings() : withCut({}, file));
+  args.settings.simulation.object = args.object;
+  if (args.unit) args.settings.simulation.unit = args.unit;
   const std::string session = (std::filesystem::path(args.out) / "session.vantage").string();
   checkSessionPlace(session, args.replace);
   const AcquisitionResults results(args.out);
@@ -118,9 +120,7 @@ void addAcquireCommand(CLI::App& app, CommandContext& context) {
   args->given.addShorthand(*command, "--strategy", "strategy");
   context.addCommonOptions(*command);
   command->callback([args, &context] {
-    args->settings = args->given.applied({});
-    args->settings.simulation.object = args->object;
-    if (args->unit) args->settings.simulation.unit = args->unit;
+    static_cast<void>(args->given.applied({}));  // what is wrong in itself is wrong use
     run(*args, context);
   });
 }

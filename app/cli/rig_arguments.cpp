@@ -1,8 +1,5 @@
 #include "cli/rig_arguments.h"
 
-#include "acquisition/setting_lookup.h"
-#include "base/errors.h"
-
 namespace vantage {
 
 void RigArguments::addDevicesTo(CLI::App& command) {
@@ -26,26 +23,6 @@ RigFile RigArguments::described() const {
   if (!scanner_.empty()) file.rig.scanner = scanner_;
   if (!calibration_.empty()) file.rig.calibration = calibration_;
   return file;
-}
-
-bool isSimulated(const RigDescription& rig) {
-  const bool sensor = std::holds_alternative<SimulatedSensorDevice>(rig.sensor);
-  const bool table = std::holds_alternative<SimulatedTableDevice>(rig.table);
-  if (sensor && !table && !std::holds_alternative<HandTableDevice>(rig.table))
-    throw InvalidInput("the simulated scanner sees the simulated table only: choose --table simulated or hand");
-  if (!sensor && table)
-    throw InvalidInput(
-        "the simulated table turns before the simulated scanner only: choose --table none, hand or serial:PORT");
-  return sensor;
-}
-
-ProfileSource profileOf(const RigDescription& rig) {
-  if (rig.scanner.empty()) throw InvalidInput("there is no scanner profile: name one with --scanner, or in --rig");
-  return readProfileSource(rig.scanner);
-}
-
-AcquisitionSettings withCut(AcquisitionSettings settings, const RigFile& /*file*/) {
-  return settings;
 }
 
 }  // namespace vantage

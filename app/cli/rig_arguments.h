@@ -3,9 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <string>
 
-#include "acquisition/settings.h"
-#include "devices/rig_description.h"
-#include "scanner/profile.h"
+#include "devices/rig_set_up.h"
 
 namespace vantage {
 
@@ -30,14 +28,5 @@ class RigArguments {
   std::string scanner_;
   std::string calibration_;
 };
-
-/// Whether scans are taken of a mesh. @throws InvalidInput when sensor and table do not belong together
-[[nodiscard]] bool isSimulated(const RigDescription& rig);
-
-/// The profile with its calibration, as the session keeps it. @throws InvalidInput, IoError
-[[nodiscard]] ProfileSource profileOf(const RigDescription& rig);
-
-/// What is cut away of scans: with devices that see more than the object all of it, unless something else was said.
-[[nodiscard]] AcquisitionSettings withCut(AcquisitionSettings settings, const RigFile& file);
 
 }  // namespace vantage

@@ -4,6 +4,7 @@
 
 #include "base/errors.h"
 #include "devices/fixed_place.h"
+#include "devices/serial/table_device.h"
 #include "scanner/turntable_positioner.h"
 
 namespace vantage {
@@ -42,7 +43,8 @@ struct TableMaking {
 
 }  // namespace
 
-std::shared_ptr<Turntable> turntableOf(const TableDevice& /*table*/) {
+std::shared_ptr<Turntable> turntableOf(const TableDevice& table) {
+  if (const auto* serial = std::get_if<SerialTableDevice>(&table)) return serialTurntable(*serial);
   return nullptr;
 }
 

@@ -110,7 +110,11 @@ std::string describe(const TableDevice& table) {
 
 RigFile readRigFile(const std::string& path) {
   const FileBytes bytes(path, kMaxRigBytes);
-  const nlohmann::json document = parseJson(std::string(bytes.text()), path);
+  return parseRigFile(std::string(bytes.text()), path);
+}
+
+RigFile parseRigFile(const std::string& text, const std::string& path) {
+  const nlohmann::json document = parseJson(text, path);
   JsonObjectReader reader(document, path, "");
   RigFile file;
   file.rig.sensor = readDevice<SensorDevice>(reader, "sensor", parseSensor);

@@ -86,6 +86,8 @@ struct RigFile {
 };
 /// @throws IoError, InvalidInput that names file, JSON pointer and what was expected
 [[nodiscard]] RigFile readRigFile(const std::string& path);
+/// The same of its text. @param path of the file that its paths are relative to
+[[nodiscard]] RigFile parseRigFile(const std::string& text, const std::string& path);
 /// The text of such a file.
 [[nodiscard]] std::string rigFileText(const RigFile& file);
 

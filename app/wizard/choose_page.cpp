@@ -13,6 +13,7 @@
 #include "form_parts.h"
 #include "io/mesh_reader.h"
 #include "settings/settings_form.h"
+#include "wizard/device_editor.h"
 
 namespace vantage {
 namespace {
@@ -75,9 +76,9 @@ ChoosePage::ChoosePage(SessionController& controller, const QString& resources, 
   });
 }
 
-QComboBox* ChoosePage::addFileRow(const QString& label, const QString& name, const QString& help,
+QComboBox* ChoosePage::addFileRow(QVBoxLayout& column, const QString& label, const QString& name, const QString& help,
                                   const QString& filter) {
-  addSection(label);
+  column.addWidget(makeLabel(label, "section"));
   auto* box = new QComboBox;
   box->setObjectName(name);
   box->setAccessibleName(label);
@@ -94,7 +95,7 @@ QComboBox* ChoosePage::addFileRow(const QString& label, const QString& name, con
   auto* row = new QHBoxLayout;
   row->addWidget(box, 1);
   row->addWidget(browse);
-  column().addLayout(row);
+  column.addLayout(row);
   return box;
 }
 
@@ -103,11 +104,22 @@ void ChoosePage::build() {
       makeLabel(tr("Vantage scans an object from positions that it chooses itself, until nothing is left "
                    "to see."),
                 "muted"));
-  scanner_ = addFileRow(tr("Scanner"), QStringLiteral("scanner"), tr("Profile of the scanner and its turntable."),
-                        tr("Scanner profiles (*.json)"));
-  object_ = addFileRow(tr("Object for the simulated scanner"), QStringLiteral("object"),
+  devices_ = new DeviceEditor;
+  connect(devices_, &DeviceEditor::edited, this, [this] {
+    showObject();
+    suggestFolder();
+    emit changed();
+  });
+  column().addWidget(devices_);
+  scanner_ = addFileRow(column(), tr("Scanner profile"), QStringLiteral("scanner"),
+                        tr("Profile of the scanner and its turntable."), tr("Scanner profiles (*.json)"));
+  objectRow_ = new QWidget;
+  auto* object = new QVBoxLayout(objectRow_);
+  object->setContentsMargins(0, 0, 0, 0);
+  object_ = addFileRow(*object, tr("Object for the simulated scanner"), QStringLiteral("object"),
                        tr("Mesh that the simulated scanner looks at."),
                        tr("Meshes (%1);;All files (*)").arg(patternsOf(readableMeshExtensions())));
+  column().addWidget(objectRow_);
   addSection(tr("Save everything in"));
   folder_ = new QLineEdit;
   folder_->setObjectName(QStringLiteral("folder"));
@@ -140,9 +152,15 @@ void ChoosePage::fill(QComboBox& box, const QString& folder, const QString& patt
   select(box, directory.filePath(preferred));
 }
 
+void ChoosePage::showObject() {
+  objectRow_->setVisible(devices_->simulated());
+}
+
 void ChoosePage::suggestFolder() {
-  const QString base = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation) +
-                       QStringLiteral("/Vantage/") + QFileInfo(object_->currentData().toString()).completeBaseName();
+  const QString name =
+      devices_->simulated() ? QFileInfo(object_->currentData().toString()).completeBaseName() : QStringLiteral("scan");
+  const QString base =
+      QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation) + QStringLiteral("/Vantage/") + name;
   QString folder = base;
   for (int i = 2; QFileInfo::exists(folder); ++i) folder = base + QLatin1Char('-') + QString::number(i);
   folder_->setText(QDir::toNativeSeparators(folder));
@@ -152,20 +170,26 @@ SetUpChoice ChoosePage::choice() const {
   SetUpChoice choice;
   choice.scanner = scanner_->currentData().toString().toStdString();
   choice.folder = folder_->text().toStdString();
+  choice.rig = devices_->rig();
   choice.settings = form_->settings();
-  choice.settings.simulation.object = object_->currentData().toString().toStdString();
+  if (devices_->simulated())
+    choice.settings.simulation.object = object_->currentData().toString().toStdString();
+  else
+    choice.settings.cut = withCut({}, {choice.rig, {}}).cut;
   return choice;
 }
 
 bool ChoosePage::complete() const {
-  // The scanner that can be chosen here is the simulated one, which needs an object.
-  return controller().hasSession() ||
-         (!scanner_->currentData().toString().isEmpty() && !object_->currentData().toString().isEmpty() &&
-          !folder_->text().trimmed().isEmpty() && form_->consistent());
+  return whyNotNext().isEmpty();
 }
 
 QString ChoosePage::whyNotNext() const {
-  return complete() ? QString() : tr("Choose a scanner, an object and a folder first.");
+  if (controller().hasSession()) return {};
+  if (const QString why = devices_->whyNot(); !why.isEmpty()) return why;
+  if (scanner_->currentData().toString().isEmpty()) return tr("Choose the profile of the scanner first.");
+  if (devices_->simulated() && object_->currentData().toString().isEmpty()) return tr("Choose an object first.");
+  if (folder_->text().trimmed().isEmpty()) return tr("Choose a folder first.");
+  return form_->consistent() ? QString() : tr("Options contradict each other.");
 }
 
 QString ChoosePage::whatNext() const {
@@ -181,6 +205,8 @@ void ChoosePage::entered() {
     object_->setCurrentIndex(-1);
   else if (open)
     select(*object_, QString::fromStdString(chosen.settings.simulation.object));
+  if (open) devices_->setRig(chosen.rig);
+  showObject();
   if (open) folder_->setText(QString::fromStdString(chosen.folder));
   if (open) form_->setSettings(chosen.settings);
   showScanner();
@@ -211,6 +237,7 @@ void ChoosePage::allowChoice() {
        {static_cast<QWidget*>(scanner_), static_cast<QWidget*>(object_), static_cast<QWidget*>(folder_)})
     allow(*editor, whyNot);
   for (QWidget* editor : form_->editors()) allow(*editor, whyNot);
+  for (QWidget* editor : devices_->editors()) allow(*editor, whyNot);
   for (auto* browse : findChildren<QToolButton*>(QStringLiteral("browse"))) allow(*browse, whyNot);
 }
 

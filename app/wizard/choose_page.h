@@ -5,9 +5,11 @@
 class QComboBox;
 class QLineEdit;
 class QToolButton;
+class QVBoxLayout;
 
 namespace vantage {
 
+class DeviceEditor;
 class SettingsForm;
 
 /// Which scanner, which object, where to.
@@ -33,15 +35,19 @@ class ChoosePage final : public WizardPage {
  private:
   void build();
   void fill(QComboBox& box, const QString& folder, const QString& pattern, const QString& preferred);
-  QComboBox* addFileRow(const QString& label, const QString& name, const QString& help, const QString& filter);
+  QComboBox* addFileRow(QVBoxLayout& column, const QString& label, const QString& name, const QString& help,
+                        const QString& filter);
   void suggestFolder();
+  void showObject();
   void showScanner();
   void allowChoice();
   [[nodiscard]] SetUpChoice choice() const;
 
   QString resources_;
+  DeviceEditor* devices_ = nullptr;
   QComboBox* scanner_ = nullptr;
   QComboBox* object_ = nullptr;
+  QWidget* objectRow_ = nullptr;  ///< with its title; real scanners see what stands before them
   QLineEdit* folder_ = nullptr;
   SettingsForm* form_ = nullptr;
   QString chosenScanner_;  // before a session was opened

@@ -1,6 +1,7 @@
 #include "wizard/device_editor.h"
 
 #include <QComboBox>
+#include <QDir>
 #include <QFileDialog>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -10,7 +11,8 @@
 #include <QVBoxLayout>
 
 #include "base/errors.h"
-#include "devices/serial_ports.h"
+#include "devices/resource_folder.h"
+#include "devices/serial/port_list.h"
 #include "form_parts.h"
 
 namespace vantage {
@@ -66,7 +68,8 @@ DeviceEditor::DeviceEditor(QWidget* parent)
     : QWidget(parent),
       sensor_(makeBox(QStringLiteral("sensor"), tr("What scans"), tr("The range scanner that takes the scans."))),
       camera_(new QLineEdit),
-      table_(makeBox(QStringLiteral("table"), tr("What turns"), tr("What brings the object from one position to the next."))),
+      table_(makeBox(QStringLiteral("table"), tr("What turns"),
+                     tr("What brings the object from one position to the next."))),
       port_(makeBox(QStringLiteral("port"), tr("Port of the turntable"),
                     tr("The serial port that the turntable is connected to; any path can be typed."))),
       protocol_(makeBox(QStringLiteral("protocol"), tr("Language of the turntable"),
@@ -86,8 +89,9 @@ DeviceEditor::DeviceEditor(QWidget* parent)
   port_->setEditable(true);
   column->addWidget(port_);
   column->addWidget(protocol_);
-  calibration_ = addPathRow(*column, QStringLiteral("calibration"), tr("No calibration: the table is where the profile says"),
-                            tr("Where the table's axis is, which way and how far it turns, as measured."));
+  calibration_ =
+      addPathRow(*column, QStringLiteral("calibration"), tr("No calibration: the table is where the profile says"),
+                 tr("Where the table's axis is, which way and how far it turns, as measured."));
   column->addWidget(hint_);
   sensor_->addItem(tr("Simulated scanner"), static_cast<int>(SensorKind::Simulated));
   sensor_->addItem(tr("Files in a folder"), static_cast<int>(SensorKind::Folder));
@@ -98,8 +102,9 @@ DeviceEditor::DeviceEditor(QWidget* parent)
   table_->addItem(tr("By hand"), static_cast<int>(TableKind::Hand));
   table_->addItem(tr("Nothing: a single scan"), static_cast<int>(TableKind::None));
   protocol_->addItem(tr("Ask the turntable"), QString());
-  for (const std::string& name : turntableProtocols())
-    protocol_->addItem(QString::fromStdString(name), QString::fromStdString(name));
+  const QDir protocols(QString::fromStdString(resourceFolder("turntables")));
+  for (const QFileInfo& file : protocols.entryInfoList({QStringLiteral("*.json")}, QDir::Files, QDir::Name))
+    protocol_->addItem(file.completeBaseName(), file.completeBaseName());
   listPorts();
   connect(sensor_, &QComboBox::currentIndexChanged, this, &DeviceEditor::sensorChosen);
   for (QComboBox* box : {table_, port_, protocol_})
@@ -145,13 +150,13 @@ void DeviceEditor::listPorts() {
   const QSignalBlocker quiet(port_);
   const QString typed = port_->currentText();
   port_->clear();
-  for (const SerialPortFound& port : serialPorts()) {
+  for (const PortDescription& port : serialPorts()) {
     port_->addItem(QString::fromStdString(port.path));
-    port_->setItemData(port_->count() - 1, QString::fromStdString(port.description), Qt::ToolTipRole);
+    port_->setItemData(port_->count() - 1, QString::fromStdString(describe(port)), Qt::ToolTipRole);
   }
   port_->setCurrentText(typed);
-  port_->lineEdit()->setPlaceholderText(port_->count() == 0 ? tr("No port is there: connect the table, or type its path")
-                                                            : tr("Port of the turntable"));
+  port_->lineEdit()->setPlaceholderText(
+      port_->count() == 0 ? tr("No port is there: connect the table, or type its path") : tr("Port of the turntable"));
 }
 
 // A simulated scanner sees a simulated table only.
@@ -246,8 +251,8 @@ void DeviceEditor::setRig(const RigDescription& rig) {
 }
 
 std::vector<QWidget*> DeviceEditor::editors() const {
-  return {sensor_,   sensorPath_.edit, sensorPath_.browse, camera_,           table_,
-          port_,     protocol_,        calibration_.edit,  calibration_.browse};
+  return {sensor_,   sensorPath_.edit,  sensorPath_.browse, camera_, table_, port_,
+          protocol_, calibration_.edit, calibration_.browse};
 }
 
 void DeviceEditor::refresh() {
@@ -266,10 +271,11 @@ void DeviceEditor::refresh() {
   calibration_.edit->setVisible(calibrated);
   calibration_.edit->setAccessibleName(tr("Calibration of the table"));
   calibration_.browse->setVisible(calibrated);
-  hint_->setText(table == TableKind::Hand
-                     ? tr("You turn the table as the dial says, about as far as asked: where it really came to stand is "
-                          "found from the scan.")
-                     : QString());
+  hint_->setText(
+      table == TableKind::Hand
+          ? tr("You turn the table as the dial says, about as far as asked: where it really came to stand is "
+               "found from the scan.")
+          : QString());
   hint_->setVisible(!hint_->text().isEmpty());
   emit edited();
 }

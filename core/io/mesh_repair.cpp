@@ -11,7 +11,7 @@ namespace vantage {
 namespace {
 
 bool isUsable(const Vec3& p) {
-  return p.allFinite() && p.cwiseAbs().maxCoeff() <= kMaxCoordinate;
+  return p.allFinite() && p.cwiseAbs().maxCoeff() <= kMaxMeshCoordinate;
 }
 
 // The triangles of all polygons that can be surface.
@@ -63,7 +63,7 @@ std::vector<std::uint32_t> firstAtPlace(const std::vector<Vec3>& points) {
 void mergeVertices(Mesh& mesh, MeshRepair& repair) {
   // What is not a number equals nothing, not even itself, and no triangle uses it.
   for (Vec3& p : mesh.vertices)
-    if (!isUsable(p)) p.setConstant(2.0 * kMaxCoordinate);
+    if (!isUsable(p)) p.setConstant(2.0 * kMaxMeshCoordinate);
   const std::vector<std::uint32_t> first = firstAtPlace(mesh.vertices);
   std::vector<std::uint8_t> isMerged(mesh.vertices.size(), 0);
   for (Triangle& t : mesh.triangles) {

@@ -12,7 +12,7 @@ namespace vantage {
 struct MeshRepair {
   std::size_t polygonsCut = 0;           ///< polygons with more than three corners, now triangles
   std::size_t droppedMissingVertex = 0;  ///< polygons that name a vertex (in OBJ also a normal ...) that does not exist
-  std::size_t droppedNotFinite = 0;      ///< polygons with a coordinate that is NaN, infinite or beyond kMaxCoordinate
+  std::size_t droppedNotFinite = 0;      ///< polygons with a coordinate that is NaN, infinite or beyond kMaxMeshCoordinate
   std::size_t droppedDegenerate = 0;     ///< polygons with fewer than three corners, triangles without an area
   std::size_t droppedDuplicate = 0;      ///< triangles that repeat another, corner by corner
   std::size_t mergedVertices = 0;        ///< vertices at the very place of another
@@ -31,7 +31,7 @@ struct MeshRepair {
 };
 
 /// No object is larger; such a coordinate is a damaged number.
-inline constexpr double kMaxCoordinate = 1e9;
+inline constexpr double kMaxMeshCoordinate = 1e9;
 
 /// Makes a mesh of what stood in a file: drops polygons that cannot be surface, cuts the others into triangles, makes
 /// one vertex of those at exactly the same place, drops triangles without an area (also in single precision) and
