@@ -38,6 +38,7 @@ int run(int argc, char** argv) {
   vantage::addRenderCommand(app, context);
   vantage::addReportCommand(app, context);
   vantage::addOptionsCommand(app, context);
+  vantage::addDevicesCommand(app, context);
   try {
     app.parse(argc, argv);
     return context.warned() ? kDoneBut : kDone;

@@ -108,7 +108,8 @@ void SerialPort::close() noexcept {
 void SerialPort::vanished(const std::string& how) {
   close();
   throw DeviceError(plainText(path_) + ": the port has vanished (" + how +
-                    "): the table was unplugged or switched off; plug it in and connect again");
+                    "): the table was unplugged or switched off; plug it in and connect again, and it counts from "
+                    "where it then stands");
 }
 
 void SerialPort::write(std::string_view bytes) {

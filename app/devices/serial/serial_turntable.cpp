@@ -112,7 +112,7 @@ void SerialTurntable::guarded(const Progress& progress, const std::function<void
       lose(e.what());
       throw;
     }
-    afterRefusal();
+    afterRefusal(pulse);
     throw DeviceError(identity() + " " + e.what());
   }
 }
@@ -136,6 +136,7 @@ void SerialTurntable::afterCancel() noexcept {
 
 void SerialTurntable::afterLoss(const std::string& why, const TableDialog::Pulse& pulse) noexcept {
   lose(why);
+  leftAlone_.reset();
   try {
     static_cast<void>(motion_->stop(seconds(2), pulse));
     know(TableState::Unknown, std::nullopt);
@@ -145,7 +146,7 @@ void SerialTurntable::afterLoss(const std::string& why, const TableDialog::Pulse
 }
 
 // The table refused, or was halted: it stands where it says.
-void SerialTurntable::afterRefusal() noexcept {
+void SerialTurntable::afterRefusal(const TableDialog::Pulse& pulse) noexcept {
   if (status().state != TableState::Moving) return;
   try {
     std::optional<double> before;
@@ -155,9 +156,12 @@ void SerialTurntable::afterRefusal() noexcept {
     }
     leftAlone_.reset();
     if (!profile_->status) return know(TableState::Idle, before);
-    const auto rest = motion_->stop(kStopping, [] {});
+    stopping_ = true;
+    const auto rest = motion_->stop(seconds(2), pulse);
     stopping_ = !rest;
     know(rest ? TableState::Idle : TableState::Unknown, rest);
+  } catch (const Cancelled&) {
+    know(TableState::Unknown, std::nullopt);
   } catch (const std::exception& e) {
     lose(e.what());
   }
@@ -253,6 +257,7 @@ std::optional<TableAngle> SerialTurntable::jog(double degrees, const Progress& p
 TableStatus SerialTurntable::askStatus(const Progress& progress) {
   needOpen();
   guarded(progress, [&](const TableDialog::Pulse& pulse) {
+    finishStop(pulse);
     dialog_->drain(milliseconds(20), pulse);
     if (!profile_->status) return;
     const StatusReport now = report(pulse);

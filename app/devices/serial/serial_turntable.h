@@ -80,7 +80,7 @@ class SerialTurntable final : public Turntable {
   void turn(double units, const Progress& progress);
   void afterCancel() noexcept;
   void afterLoss(const std::string& why, const TableDialog::Pulse& pulse) noexcept;
-  void afterRefusal() noexcept;
+  void afterRefusal(const TableDialog::Pulse& pulse) noexcept;
 
   [[nodiscard]] StatusReport report(const TableDialog::Pulse& pulse);
   [[nodiscard]] TableAngle angleAt(double units) const;

@@ -116,7 +116,8 @@ void SerialTurntable::unlock(StatusReport& report, const TableDialog::Pulse& pul
 // Whatever state it was left in: at rest, unlocked, told how to count.
 void SerialTurntable::makeReady(const TableDialog::Pulse& pulse) {
   dialog_->expectRestart(true);
-  dialog_->drain(milliseconds(50), pulse);
+  // What does not say whether it turns is given time to come to rest.
+  dialog_->drain(profile_->status || !notReady() ? milliseconds(50) : seconds(1), pulse);
   if (profile_->status) {
     auto first = dialog_->askStatus(kAnswer, pulse);
     const auto isLocked = [](TableState state) {
@@ -164,8 +165,11 @@ void SerialTurntable::findIndex(const TableDialog::Pulse& pulse) {
 void SerialTurntable::home(const Progress& progress) {
   needOpen();
   guarded(progress, [&](const TableDialog::Pulse& pulse) {
-    if (!stopping_ && leftAlone_) leftAlone_.reset();
-    if (stopping_) finishStop(pulse);
+    try {
+      finishStop(pulse);
+    } catch (const PositionLost&) {
+      // A new reference is what is asked for.
+    }
     makeReady(pulse);
     findIndex(pulse);
     countFromHere(pulse);

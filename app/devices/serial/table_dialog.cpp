@@ -9,7 +9,7 @@ namespace {
 
 using std::chrono::milliseconds;
 
-constexpr milliseconds kSlice{50};
+constexpr milliseconds kSlice{20};
 constexpr milliseconds kBeat{1000};
 constexpr milliseconds kTalking{2000};
 // Before an answer is asked for again: at once obeyed, or in turn.
@@ -133,9 +133,10 @@ std::optional<StatusReport> TableDialog::askStatus(milliseconds patience, const 
   report_.reset();
   while (Clock::now() < end) {
     line_.write(status.immediate ? status.ask : status.ask + profile_.lineEnd);
-    const auto resend = std::min(end, Clock::now() + again);
-    while (Clock::now() < resend) {
-      const auto message = next(std::chrono::duration_cast<milliseconds>(resend - Clock::now()), pulse);
+    // While bytes come, however slowly, an answer is on its way.
+    const auto asked = Clock::now();
+    while (Clock::now() < std::min(end, std::max(asked, heard_) + again)) {
+      const auto message = next(kSlice, pulse);
       if (message && message->kind == MessageKind::Status) return report_;
     }
   }

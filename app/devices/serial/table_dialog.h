@@ -64,6 +64,8 @@ class TableDialog {
   [[nodiscard]] std::optional<std::string> takeError() { return std::exchange(error_, std::nullopt); }
   /// Whether an ok came since the last command.
   [[nodiscard]] bool acknowledged() const { return acknowledged_; }
+  /// When something came last.
+  [[nodiscard]] Clock::time_point heardAt() const { return heard_; }
   /// Whether anything came within the time before now.
   [[nodiscard]] bool heardWithin(std::chrono::milliseconds time) const { return Clock::now() - heard_ < time; }
 

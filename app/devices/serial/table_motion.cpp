@@ -185,6 +185,7 @@ double TableMotion::moveReported(Course& course) {
 double TableMotion::moveBlind(Course& course) {
   if (course.to == course.from) return course.to;
   const auto pulse = course.pulse();
+  course.start = Clock::now();
   const milliseconds longest = longestMove(course.to - course.from);
   bool echoed = !profile_.echo;
   dialog_.send(command(course.from, course.to));
@@ -193,6 +194,9 @@ double TableMotion::moveBlind(Course& course) {
     if (const auto error = dialog_.takeError()) throw DeviceError("refused to turn (" + *error + ")");
     if (message && message->kind == MessageKind::Echo) echoed = true;
     if (message && message->kind == MessageKind::Done && echoed) {
+      const auto took = std::chrono::duration<double>(dialog_.heardAt() - course.start).count();
+      if (took * profile_.fastest < std::abs(degreesOf(course.to - course.from)))
+        throw PositionLost("says that it has arrived sooner than it can turn, so that where it stands is not known");
       pause(profile_.settle, pulse);
       return course.to;
     }

@@ -52,6 +52,7 @@ struct TableProfile {
   int sense = 1;           ///< 1: more units turn it counter-clockwise seen from above; -1
   double speed = 30.0;     ///< [deg/s] asked for
   double slowest = 1.0;    ///< [deg/s] slower than this is taken for stuck where it does not say where it is
+  double fastest = 1e6;    ///< [deg/s] what claims to have been faster has not turned
   double tolerance = 0.1;  ///< [deg] between where it was told to go and where it says it is
   std::chrono::milliseconds settle{500};  ///< from its rest to that of the object on it
 

@@ -13,7 +13,7 @@ using Clock = std::chrono::steady_clock;
 
 constexpr milliseconds kSlice{50};
 // After a greeting more follows at once: locks, start-up lines.
-constexpr milliseconds kQuiet{300}, kTalking{2000};
+constexpr milliseconds kQuiet{300}, kTalking{3000};
 // What one question is given: as many times as it may be lost.
 constexpr milliseconds kAnswer{1000};
 constexpr int kTimes = 2;
@@ -49,9 +49,13 @@ class Listener {
     for (int time = 0; time < kTimes; ++time) {
       MessageStream stream(profile.messageEnds, profile.prompt, profile.heartbeat);
       line_.write(profile.identifyImmediate ? profile.identify : profile.lineEnd + profile.identify + profile.lineEnd);
-      const auto end = Clock::now() + kAnswer;
-      while (Clock::now() < end) {
-        stream.feed(read(), Clock::now());
+      const auto asked = Clock::now();
+      auto heard = asked;
+      // While bytes come, however slowly, an answer is on its way.
+      while (Clock::now() < std::min(asked + kTalking, heard + kAnswer)) {
+        const std::string bytes = read();
+        if (!bytes.empty()) heard = Clock::now();
+        stream.feed(bytes, Clock::now());
         while (const auto message = stream.next(Clock::now()))
           if (profile.identity.matches(*message)) return true;
       }

@@ -39,9 +39,9 @@ std::optional<fs::path> laboratoryFolder() {
 
 LaboratoryTable::LaboratoryTable(const fs::path& laboratory, std::vector<std::string> options,
                                  const std::string& faults) {
-  options.insert(options.begin(), {(laboratory / "lab_table").string(), "--link", port(), "--state",
-                                   folder_.file("state.json"), "--log", folder_.file("wire.log"), "--fault",
-                                   folder_.write("faults.json", faults)});
+  options.insert(options.begin(),
+                 {(laboratory / "lab_table").string(), "--link", port(), "--state", folder_.file("state.json"), "--log",
+                  folder_.file("wire.log"), "--fault", folder_.write("faults.json", faults)});
   std::vector<char*> arguments;
   for (std::string& option : options) arguments.push_back(option.data());
   arguments.push_back(nullptr);
