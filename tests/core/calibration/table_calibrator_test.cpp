@@ -34,11 +34,15 @@ TEST(Scratch, Measure) {
         const auto result = calibrateTable(scans, *scene.profile, {}, Progress({}, {}, 2));
         const double s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
         const auto e = errorOf(result.calibration, scene.T_table_scanner, 50.0);
-        std::printf("object %d scanner %d seed %d: dir %.4f deg (s %.4f) place %.4f mm (s %.4f) plane %.3f (s %.3f) ratio %+.5f (%+.3f) rms %.3f %s %.1fs |",
-                    object, scanner, seed, e.direction, degrees(result.calibration.angleSigma), e.place, result.calibration.sigma, e.plane, result.planeSigma,
-                    result.calibration.sense * result.calibration.degreesPerCommandedDegree, scene.turnsPerCount,
-                    result.calibration.residual, std::string(name(result.calibration.verdict)).c_str(), s);
-        for (const auto& f : result.findings) std::printf(" %s(%.3f)", std::string(name(f.reason)).c_str(), f.value.value_or(0));
+        std::printf(
+            "object %d scanner %d seed %d: dir %.4f deg (s %.4f) place %.4f mm (s %.4f) plane %.3f (s %.3f) ratio "
+            "%+.5f (%+.3f) rms %.3f %s %.1fs |",
+            object, scanner, seed, e.direction, degrees(result.calibration.angleSigma), e.place,
+            result.calibration.sigma, e.plane, result.planeSigma,
+            result.calibration.sense * result.calibration.degreesPerCommandedDegree, scene.turnsPerCount,
+            result.calibration.residual, std::string(name(result.calibration.verdict)).c_str(), s);
+        for (const auto& f : result.findings)
+          std::printf(" %s(%.3f)", std::string(name(f.reason)).c_str(), f.value.value_or(0));
         std::printf("\n");
         std::fflush(stdout);
       }
