@@ -38,6 +38,8 @@ int run(int argc, char** argv) {
   vantage::addRenderCommand(app, context);
   vantage::addReportCommand(app, context);
   vantage::addOptionsCommand(app, context);
+  vantage::addCalibrateCommand(app, context);
+  vantage::addProfileCommand(app, context);
   try {
     app.parse(argc, argv);
     return context.warned() ? kDoneBut : kDone;
