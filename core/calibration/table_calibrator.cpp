@@ -197,7 +197,7 @@ class Calibrator {
   void solve(const Progress& progress);
   [[nodiscard]] bool keepTurning(const std::vector<std::size_t>& samples);
   [[nodiscard]] bool judgeFit(const std::vector<TurnCandidate>& candidates);
-  void judgeSigmas(const ScrewFit& fit, const TurningViews& views);
+  [[nodiscard]] bool judgeSigmas(const ScrewFit& fit, const TurningViews& views);
   void judgeScans(const ScrewFit& fit, double gate);
   void judgeTurns(const ScrewFit& fit);
   void judgeResiduals(const ScrewFit& fit, const RegistrationScale& scale);
@@ -236,7 +236,7 @@ void Calibrator::solve(const Progress& progress) {
   const TurningViews whole = moving.withRound(first.motion, kFineGates * fineGate(scale), progress.part(0.7, 0.8));
   ScrewFit fit = refined(whole, first.motion, scale, progress.part(0.8, 0.98));
   fit.motion.point = fit.motion.nearestTo(whole.centre());
-  judgeSigmas(fit, whole);
+  if (!judgeSigmas(fit, whole)) return;
   const ScrewMotion motion = upright(fit.motion, table ? table->normal : Vec3::UnitZ(), whole.centre());
   fit.motion = motion;
   judgeScans(fit, kFineGates * fineGate(scale));
@@ -277,16 +277,18 @@ bool Calibrator::judgeFit(const std::vector<TurnCandidate>& candidates) {
   return true;
 }
 
-void Calibrator::judgeSigmas(const ScrewFit& fit, const TurningViews& views) {
+bool Calibrator::judgeSigmas(const ScrewFit& fit, const TurningViews& views) {
   const Sigmas sigmas = sigmasOf(fit, views.samples());
   result_.calibration.sigma = std::min(sigmas.shift, 1e5);
   result_.calibration.angleSigma = std::min(sigmas.lean, kPi);
   const double unsure = std::max({sigmas.shift, kDistance * sigmas.lean, kDistance * sigmas.angle});
   if (unsure > options_.notObservable) {
-    find(CalibrationReason::RotationNotObservable, unsure);
-  } else if (sigmas.shift > options_.unsure || sigmas.lean > options_.unsureAngle) {
-    find(CalibrationReason::Unsure, std::max(sigmas.shift, kDistance * sigmas.lean));
+    find(CalibrationReason::RotationNotObservable, std::min(unsure, 1e5));
+    return false;
   }
+  if (sigmas.shift > options_.unsure || sigmas.lean > options_.unsureAngle)
+    find(CalibrationReason::Unsure, std::max(sigmas.shift, kDistance * sigmas.lean));
+  return true;
 }
 
 // A scan that lies badly is one that the table did not turn to.
