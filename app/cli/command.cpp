@@ -47,13 +47,23 @@ void CommandContext::result(const nlohmann::ordered_json& json, const std::strin
 
 void CommandContext::result(nlohmann::ordered_json json, const std::string& text,
                             const std::vector<Warning>& warnings) {
-  json["warnings"] = nlohmann::ordered_json::array();
+  std::vector<Remark> remarks;
   for (const Warning& warning : warnings) {
-    nlohmann::ordered_json item{{"code", name(warning.code)}, {"text", describe(warning)}};
-    if (warning.scan) item["scan"] = *warning.scan;
+    std::optional<std::size_t> scan;
+    if (warning.scan) scan = static_cast<std::size_t>(*warning.scan);
+    remarks.push_back({std::string(name(warning.code)), describe(warning), scan, isSerious(warning)});
+  }
+  result(std::move(json), text, remarks);
+}
+
+void CommandContext::result(nlohmann::ordered_json json, const std::string& text, const std::vector<Remark>& remarks) {
+  json["warnings"] = nlohmann::ordered_json::array();
+  for (const Remark& remark : remarks) {
+    nlohmann::ordered_json item{{"code", remark.code}, {"text", remark.text}};
+    if (remark.scan) item["scan"] = *remark.scan;
     json["warnings"].push_back(std::move(item));
-    note("warning: " + describe(warning));
-    warned_ = warned_ || isSerious(warning);
+    note("warning: " + remark.text);
+    warned_ = warned_ || remark.serious;
   }
   result(json, text);
 }

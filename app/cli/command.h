@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,14 @@
 #include "report/warnings.h"
 
 namespace vantage {
+
+/// Something to know about a result.
+struct Remark {
+  std::string code;
+  std::string text;
+  std::optional<std::size_t> scan;  ///< that it is about, from 0
+  bool serious = false;             ///< the work was done, but not all is well
+};
 
 /// What every subcommand shares: its common options, and where progress and results go.
 class CommandContext {
@@ -26,6 +35,8 @@ class CommandContext {
   void result(const nlohmann::ordered_json& json, const std::string& text);
   /// The same of an acquisition. Warnings are said; with a serious one the program ends with the code "done, but".
   void result(nlohmann::ordered_json json, const std::string& text, const std::vector<Warning>& warnings);
+  /// The same of other work.
+  void result(nlohmann::ordered_json json, const std::string& text, const std::vector<Remark>& remarks);
 
   /// Whether the work was done, but not all is well.
   [[nodiscard]] bool warned() const { return warned_; }
@@ -60,5 +71,7 @@ void addDevicesCommand(CLI::App& app, CommandContext& context);
 void addEvaluateCommand(CLI::App& app, CommandContext& context);
 void addRenderCommand(CLI::App& app, CommandContext& context);
 void addReportCommand(CLI::App& app, CommandContext& context);
+void addCalibrateCommand(CLI::App& app, CommandContext& context);
+void addProfileCommand(CLI::App& app, CommandContext& context);
 
 }  // namespace vantage

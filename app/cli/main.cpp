@@ -39,6 +39,8 @@ int run(int argc, char** argv) {
   vantage::addReportCommand(app, context);
   vantage::addOptionsCommand(app, context);
   vantage::addDevicesCommand(app, context);
+  vantage::addCalibrateCommand(app, context);
+  vantage::addProfileCommand(app, context);
   try {
     app.parse(argc, argv);
     return context.warned() ? kDoneBut : kDone;

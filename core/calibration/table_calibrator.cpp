@@ -139,24 +139,26 @@ ScrewMotion upright(ScrewMotion motion, const Vec3& up, const Vec3& centre) {
   return motion;
 }
 
-std::vector<ScanResidual> residualsOf(std::span<const CalibrationScan> scans, const ScrewFit& fit,
-                                      const CommandedTurns& turns, const std::vector<std::size_t>& moving) {
-  std::vector<ScanResidual> residuals;
-  for (std::size_t k = 0; k < scans.size(); ++k) {
-    ScanResidual residual{scans[k].tableAngle, fit.motion.angles[k], turns.off[k], 0.0, 0, moving[k]};
-    double squares = 0.0;
-    for (const ViewLink& link : fit.links) {
-      if (link.from != k && link.to != k) continue;
-      for (const Pair& pair : link.pairs) {
-        if (pair.state != PairState::Paired) continue;
-        squares += pair.distance * pair.distance;
-        ++residual.pairs;
-      }
+// Root mean square and number of the pairs of one scan with the others.
+void addPairs(const ScrewFit& fit, std::size_t scan, ScanResidual& residual) {
+  double squares = 0.0;
+  for (const ViewLink& link : fit.links) {
+    if (link.from != scan && link.to != scan) continue;
+    for (const Pair& pair : link.pairs) {
+      if (pair.state != PairState::Paired) continue;
+      squares += pair.distance * pair.distance;
+      ++residual.pairs;
     }
-    if (residual.pairs > 0) residual.rms = std::sqrt(squares / static_cast<double>(residual.pairs));
-    residuals.push_back(residual);
   }
-  return residuals;
+  if (residual.pairs > 0) residual.rms = std::sqrt(squares / static_cast<double>(residual.pairs));
+}
+
+// How badly one scan lies between the others.
+double misfitOf(const ScrewFit& fit, std::size_t scan, double gate) {
+  std::vector<ViewLink> links;
+  for (const ViewLink& link : fit.links)
+    if (link.from == scan || link.to == scan) links.push_back(link);
+  return misfit(links, gate);
 }
 
 // Height of the lowest point of what turns, along an axis from its point.
@@ -175,7 +177,7 @@ double lowestPoint(const TurningViews& views, const ScrewMotion& motion) {
 class Calibrator {
  public:
   Calibrator(std::span<const CalibrationScan> scans, const ScannerProfile& profile, const CalibrationOptions& options)
-      : scans_(scans), profile_(profile), options_(options) {}
+      : scans_(scans.begin(), scans.end()), profile_(profile), options_(options) {}
 
   CalibrationResult run(const Progress& progress) {
     solve(progress);
@@ -188,19 +190,22 @@ class Calibrator {
 
  private:
   void find(CalibrationReason reason, std::optional<double> value = {}, std::optional<std::size_t> scan = {}) {
+    if (scan && !place_.empty()) scan = place_[*scan];
     result_.findings.push_back({reason, value, scan});
   }
 
   void solve(const Progress& progress);
-  [[nodiscard]] bool turnsEnough(const TurningViews& views);
+  [[nodiscard]] bool keepTurning(const std::vector<std::size_t>& samples);
   [[nodiscard]] bool judgeFit(const std::vector<TurnCandidate>& candidates);
-  void judgeSigmas(const ScrewFit& fit, const TurningViews& views);
-  void judgeTurns(const ScrewFit& fit, const TurningViews& views);
+  [[nodiscard]] bool judgeSigmas(const ScrewFit& fit, const TurningViews& views);
+  void judgeScans(const ScrewFit& fit, double gate);
+  void judgeTurns(const ScrewFit& fit);
   void judgeResiduals(const ScrewFit& fit, const RegistrationScale& scale);
   void placeTable(const ScrewMotion& motion, const TurningViews& views,
                   std::span<const std::vector<SampleMotion>> motions);
 
-  std::span<const CalibrationScan> scans_;
+  std::vector<CalibrationScan> scans_;  // those that are used
+  std::vector<std::size_t> place_;      // of each, among all
   const ScannerProfile& profile_;
   const CalibrationOptions& options_;
   CalibrationResult result_;
@@ -210,13 +215,19 @@ void Calibrator::solve(const Progress& progress) {
   const double commanded = spanOf(anglesOf(scans_));
   if (options_.ratio.most * radians(commanded) < options_.leastTurn)
     return find(CalibrationReason::TooSmallTurn, commanded);
-  const auto motions = sampleMotions(scans_);
+  auto motions = sampleMotions(scans_);
   TablePlaneSearch rough;
   rough.mostLean = kRoughLean;
   const auto table = findTablePlane(scans_, motions, rough);
   progress.checkpoint(0.05);
-  const TurningViews moving(scans_, motions, table, profile_.breakdownAngle, progress.part(0.05, 0.1));
-  if (!turnsEnough(moving)) return;
+  TurningViews moving(scans_, motions, table, profile_.breakdownAngle, progress.part(0.05, 0.1));
+  if (!keepTurning(moving.samples())) return;
+  if (place_.size() < motions.size()) {
+    std::vector<std::vector<SampleMotion>> kept;
+    for (const std::size_t k : place_) kept.push_back(std::move(motions[k]));
+    motions = std::move(kept);
+    moving = TurningViews(scans_, motions, table, profile_.breakdownAngle, progress.part(0.1, 0.1));
+  }
 
   const RegistrationScale scale = scaleOf(moving.views());
   const auto candidates = search(moving, scans_, table, scale, options_.ratio, progress.part(0.1, 0.6));
@@ -225,19 +236,30 @@ void Calibrator::solve(const Progress& progress) {
   const TurningViews whole = moving.withRound(first.motion, kFineGates * fineGate(scale), progress.part(0.7, 0.8));
   ScrewFit fit = refined(whole, first.motion, scale, progress.part(0.8, 0.98));
   fit.motion.point = fit.motion.nearestTo(whole.centre());
-  judgeSigmas(fit, whole);
+  if (!judgeSigmas(fit, whole)) return;
   const ScrewMotion motion = upright(fit.motion, table ? table->normal : Vec3::UnitZ(), whole.centre());
   fit.motion = motion;
-  judgeTurns(fit, moving);
+  judgeScans(fit, kFineGates * fineGate(scale));
+  judgeTurns(fit);
   judgeResiduals(fit, scale);
   placeTable(motion, whole, motions);
 }
 
-bool Calibrator::turnsEnough(const TurningViews& views) {
-  const auto fewest = std::min_element(views.samples().begin(), views.samples().end());
-  if (*fewest >= options_.leastSamples) return true;
+// Keeps the scans that show enough of what turns.
+bool Calibrator::keepTurning(const std::vector<std::size_t>& samples) {
+  std::vector<CalibrationScan> kept;
+  for (std::size_t k = 0; k < samples.size(); ++k) {
+    result_.scans.push_back({scans_[k].tableAngle, 0.0, 0.0, 0.0, 0, samples[k], false});
+    if (samples[k] < options_.leastSamples) continue;
+    kept.push_back(scans_[k]);
+    place_.push_back(k);
+  }
+  scans_ = std::move(kept);
+  if (scans_.size() >= kFewestScans) return true;
+  const auto fewest = std::min_element(samples.begin(), samples.end());
+  place_.clear();
   find(CalibrationReason::NothingTurns, static_cast<double>(*fewest),
-       static_cast<std::size_t>(fewest - views.samples().begin()));
+       static_cast<std::size_t>(fewest - samples.begin()));
   return false;
 }
 
@@ -255,23 +277,39 @@ bool Calibrator::judgeFit(const std::vector<TurnCandidate>& candidates) {
   return true;
 }
 
-void Calibrator::judgeSigmas(const ScrewFit& fit, const TurningViews& views) {
+bool Calibrator::judgeSigmas(const ScrewFit& fit, const TurningViews& views) {
   const Sigmas sigmas = sigmasOf(fit, views.samples());
   result_.calibration.sigma = std::min(sigmas.shift, 1e5);
   result_.calibration.angleSigma = std::min(sigmas.lean, kPi);
   const double unsure = std::max({sigmas.shift, kDistance * sigmas.lean, kDistance * sigmas.angle});
   if (unsure > options_.notObservable) {
-    find(CalibrationReason::RotationNotObservable, unsure);
-  } else if (sigmas.shift > options_.unsure || sigmas.lean > options_.unsureAngle) {
+    find(CalibrationReason::RotationNotObservable, std::min(unsure, 1e5));
+    return false;
+  }
+  if (sigmas.shift > options_.unsure || sigmas.lean > options_.unsureAngle)
     find(CalibrationReason::Unsure, std::max(sigmas.shift, kDistance * sigmas.lean));
+  return true;
+}
+
+// A scan that lies badly is one that the table did not turn to.
+void Calibrator::judgeScans(const ScrewFit& fit, double gate) {
+  for (std::size_t k = 0; k < scans_.size(); ++k) {
+    const double bad = misfitOf(fit, k, gate);
+    if (bad > options_.mostMisfit) return find(CalibrationReason::NoCommonAxis, bad, k);
   }
 }
 
-void Calibrator::judgeTurns(const ScrewFit& fit, const TurningViews& views) {
+void Calibrator::judgeTurns(const ScrewFit& fit) {
   const CommandedTurns turns = explainTurns(anglesOf(scans_), fit.motion.angles);
   result_.calibration.sense = turns.sense;
   result_.calibration.degreesPerCommandedDegree = turns.ratio;
-  result_.scans = residualsOf(scans_, fit, turns, views.samples());
+  for (std::size_t k = 0; k < scans_.size(); ++k) {
+    ScanResidual& residual = result_.scans[place_[k]];
+    residual.used = true;
+    residual.turned = fit.motion.angles[k];
+    residual.off = turns.off[k];
+    addPairs(fit, k, residual);
+  }
   const double turned = spanOf(fit.motion.angles);
   if (turned < options_.leastTurn) find(CalibrationReason::TooSmallTurn, degrees(turned));
   if (turns.slippedBefore)
@@ -293,7 +331,8 @@ void Calibrator::judgeResiduals(const ScrewFit& fit, const RegistrationScale& sc
   result_.calibration.residual = pairs > 0.0 ? std::sqrt(squares / pairs) : 0.0;
   // Both surfaces of a pair have noise; between samples they are chords.
   const double explained = std::sqrt(2.0) * scale.noise + 0.05 * scale.spacing;
-  if (fit.sigma > kResidualLarge * explained) find(CalibrationReason::ResidualLarge, fit.sigma / explained, worst);
+  if (fit.sigma <= kResidualLarge * explained) return;
+  result_.findings.push_back({CalibrationReason::ResidualLarge, fit.sigma / explained, worst});
 }
 
 void Calibrator::placeTable(const ScrewMotion& motion, const TurningViews& views,

@@ -18,10 +18,10 @@ namespace vantage {
 /// What was found when a table was calibrated.
 enum class CalibrationReason : std::uint8_t {
   // With these it has failed.
-  NothingTurns,           ///< too few samples move between the scans [samples of the scan that has fewest]
+  NothingTurns,           ///< fewer than three scans show enough that moves [samples of the scan that has fewest]
   TooSmallTurn,           ///< the table turned too little in all [deg]
   RotationNotObservable,  ///< what was scanned looks the same however it is turned [mm that the axis is unsure by]
-  NoCommonAxis,           ///< no turn about one axis brings the scans together [misfit, 0..1]
+  NoCommonAxis,           ///< no turn about one axis brings the scans, or that scan, together [misfit, 0..1]
   Slip,                   ///< the table stands elsewhere than it counts from this scan on [deg]
   // With these it is doubtful.
   Rival,          ///< another way of turning fits nearly as well [turned / counted]
@@ -58,12 +58,13 @@ struct ScanResidual {
   double rms = 0.0;         ///< of the pairs with all other scans [mm]
   std::size_t pairs = 0;
   std::size_t moving = 0;  ///< samples that move
+  bool used = false;       ///< the scan shows enough of what turns
 };
 
 struct CalibrationOptions {
   RatioRange ratio;
   double leastTurn = radians(20.0);    ///< of the table in all [rad]
-  std::size_t leastSamples = 300;      ///< that move, in every scan
+  std::size_t leastSamples = 150;      ///< that move; scans with fewer are not used
   double unsure = 0.2;                 ///< sigma of the axis at the object; more: doubtful [mm]
   double unsureAngle = radians(0.15);  ///< and of its direction [rad]
   double notObservable = 1.0;          ///< sigma of the axis or, at 50 mm, of an angle; more: failed [mm]

@@ -19,13 +19,19 @@ constexpr std::size_t kKept = 6;
 constexpr double kSame = 0.08;
 constexpr double kFineGates = 3.0;
 
-// Both ways between scans whose angles follow each other, and over one.
-std::vector<ViewLink> neighbourLinks(std::span<const PreparedView> views, std::span<const double> tableAngles,
-                                     std::size_t points) {
-  std::vector<std::size_t> order(views.size());
+// Scans by table angle.
+std::vector<std::size_t> orderOf(std::span<const double> tableAngles) {
+  std::vector<std::size_t> order(tableAngles.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return tableAngles[a] < tableAngles[b]; });
+  return order;
+}
+
+// Both ways between scans whose angles follow each other, and over one.
+std::vector<ViewLink> neighbourLinks(std::span<const PreparedView> views, std::span<const double> tableAngles,
+                                     std::size_t points) {
+  const std::vector<std::size_t> order = orderOf(tableAngles);
   std::vector<ViewLink> links;
   auto add = [&](std::size_t from, std::size_t to) {
     ViewLink link;
@@ -76,15 +82,16 @@ ScrewMotion turning(std::span<const double> tableAngles, double turnsPerCount, c
   return motion;
 }
 
-// The ratio that the angles of a fit came to.
+// The ratio that half of all turning between scans whose angles follow each other is below.
 double ratioOf(std::span<const double> tableAngles, const ScrewMotion& motion) {
+  const std::vector<std::size_t> order = orderOf(tableAngles);
   std::vector<std::pair<double, double>> ratios;  // with the turn that each is of
   double whole = 0.0;
-  for (std::size_t k = 1; k < tableAngles.size(); ++k) {
-    const double turn = radians(tableAngles[k] - tableAngles[0]);
+  for (std::size_t k = 1; k < order.size(); ++k) {
+    const double turn = radians(tableAngles[order[k]] - tableAngles[order[k - 1]]);
     if (turn == 0.0) continue;
-    ratios.emplace_back(motion.angles[k] / turn, std::abs(turn));
-    whole += std::abs(turn);
+    ratios.emplace_back((motion.angles[order[k]] - motion.angles[order[k - 1]]) / turn, turn);
+    whole += turn;
   }
   std::sort(ratios.begin(), ratios.end());
   double sum = 0.0;

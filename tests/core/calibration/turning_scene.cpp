@@ -32,8 +32,8 @@ Pose turned(double angle) {
 
 std::shared_ptr<const ScannerProfile> cameraOverTable(double rangeSigma) {
   auto profile = std::make_shared<ScannerProfile>();
-  profile->rays = std::make_shared<RayGrid>(makeRays(
-      Pinhole{Vec3(450, 0, 250), Vec3(0, 0, 60), 240, 320, radians(40.0), radians(30.0)}, ReceiverOffsets{}));
+  profile->rays = std::make_shared<RayGrid>(
+      makeRays(Pinhole{Vec3(450, 0, 250), Vec3(0, 0, 60), 240, 320, radians(40.0), radians(30.0)}, ReceiverOffsets{}));
   profile->noise.rangeSigma = rangeSigma;
   profile->breakdownAngle = radians(75.0);
   profile->minRange = 100.0;

@@ -1,0 +1,7 @@
+#include "cli/command.h"
+
+namespace vantage {
+
+void addProfileCommand(CLI::App& /*app*/, CommandContext& /*context*/) {}
+
+}  // namespace vantage
