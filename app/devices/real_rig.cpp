@@ -4,6 +4,7 @@
 
 #include "base/errors.h"
 #include "devices/fixed_place.h"
+#include "devices/openni2_sensor.h"
 #include "devices/serial/table_device.h"
 #include "scanner/turntable_positioner.h"
 
@@ -15,6 +16,9 @@ struct SensorMaking {
 
   std::shared_ptr<RangeSensor> operator()(const SimulatedSensorDevice&) const {
     throw InvalidInput("the simulated scanner sees the simulated table only: choose both, or neither");
+  }
+  std::shared_ptr<RangeSensor> operator()(const OpenNi2Device& device) const {
+    return makeOpenNi2Sensor(device, setUp.profile);
   }
   template <typename Device>
   std::shared_ptr<RangeSensor> operator()(const Device&) const {
