@@ -107,7 +107,11 @@ void run(const ImportArguments& args, CommandContext& context) {
 void addImportCommand(CLI::App& app, CommandContext& context) {
   auto args = std::make_shared<ImportArguments>();
   CLI::App* command = app.add_subcommand("import", "Register and integrate recorded scans and say what is still void");
-  command->add_option("range", args->files, "Range files: PLY with rows and columns, organised PCD, PTX")->required();
+  command
+      ->add_option(
+          "range", args->files,
+          "Range files: PLY, PCD, PTX, 16-bit depth PNG, XYZ; with rows and columns where no scanner profile is given")
+      ->required();
   command->add_option("--poses", args->poses, "Stanford .conf with a rough pose for every scan");
   command->add_option("--scanner", args->scanner, "Scanner profile (JSON), or generic: the rays are found")
       ->capture_default_str();

@@ -4,6 +4,7 @@
 
 #include "base/errors.h"
 #include "io/file_kind.h"
+#include "io/text_scanner.h"
 #include "report/reading_words.h"
 #include "scanner/length_unit.h"
 
@@ -16,6 +17,16 @@ std::optional<FrameChoice> frameIn(const std::string& text) {
   } catch (const InvalidInput& e) {
     throw CLI::ValidationError("--frame", e.what());
   }
+}
+
+GridSize gridIn(const std::string& text) {
+  const std::size_t cross = text.find('x');
+  const auto rows = parseInteger(std::string_view(text).substr(0, cross));
+  const auto columns =
+      cross == std::string::npos ? std::nullopt : parseInteger(std::string_view(text).substr(cross + 1));
+  if (!rows || !columns || *rows < 2 || *columns < 2)
+    throw CLI::ValidationError("--grid", "is '" + text + "', expected ROWSxCOLUMNS, for instance 480x640");
+  return {static_cast<std::size_t>(*rows), static_cast<std::size_t>(*columns)};
 }
 
 Axis axisIn(const std::string& text) {
@@ -39,7 +50,7 @@ double unitNamed(const std::string& text) {
   return millimetresIn(*unit);
 }
 
-void ReadingArguments::addForProfile(CLI::App& command) {
+void ReadingArguments::addTo(CLI::App& command) {
   command
       .add_option_function<std::string>(
           "--unit", [this](const std::string& text) { options_.unit = unitNamed(text); },
@@ -52,16 +63,18 @@ void ReadingArguments::addForProfile(CLI::App& command) {
           "constant "
           "far planes are found")
       ->type_name("VALUE");
-}
-
-void ReadingArguments::addTo(CLI::App& command) {
-  addForProfile(command);
+  command
+      .add_option_function<std::string>(
+          "--grid", [this](const std::string& text) { options_.grid = gridIn(text); },
+          "Rows and columns of points as text, one line for every cell, where the file does not say them")
+      ->type_name("ROWSxCOLUMNS");
   command
       .add_option_function<std::string>(
           "--frame", [this](const std::string& text) { options_.frame = frameIn(text); },
           "Where the scanner looks in the axes of the files: camera (z+), gl (z-), x+, x-, y+, y-, z+, z-; world: "
           "points "
-          "are in the object's coordinates; cylinder: columns go around an axis")
+          "are in the object's coordinates; cylinder: columns go around an axis; profile: points are in the "
+          "coordinates of the scanner's profile, which has camera, gl and world besides")
       ->type_name("FRAME")
       ->default_str("auto");
   command

@@ -8,13 +8,11 @@
 
 namespace vantage {
 
-/// What the command line says about range files: --unit, --frame, --up and --no-sample.
+/// What the command line says about range files: --unit, --frame, --up, --grid and --no-sample.
 class ReadingArguments {
  public:
   /// Adds the options. This must outlive the command.
   void addTo(CLI::App& command);
-  /// Adds those that files of a scanner with a profile can need: --unit and --no-sample.
-  void addForProfile(CLI::App& command);
 
   [[nodiscard]] const ScanReadingOptions& options() const { return options_; }
 

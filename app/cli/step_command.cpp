@@ -74,7 +74,7 @@ void addStepCommand(CLI::App& app, CommandContext& context) {
   command->add_option("--position", args->position, "Position of the workspace that it was taken from")
       ->required()
       ->check(CLI::NonNegativeNumber);
-  args->reading.addForProfile(*command);
+  args->reading.addTo(*command);
   args->given.addTo(*command);
   context.addCommonOptions(*command);
   command->callback([args, &context] { run(*args, context); });

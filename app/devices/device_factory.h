@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "devices/rig_description.h"
+#include "io/scan_reader.h"
 #include "scanner/hand_table.h"
 #include "scanner/simulated_sensor.h"
 
@@ -27,7 +28,8 @@ inline constexpr Mechanics kTurnedByHand{radians(7.5), 3.0};
 struct RealDevices {
   RigDescription rig;
   std::shared_ptr<const ScannerProfile> profile;
-  HandTable::AskPerson ask;  ///< for a table that a person turns
+  HandTable::AskPerson ask;    ///< for a table that a person turns
+  ScanReadingOptions reading;  ///< what is said about files that come as scans
 };
 
 /// What scans are taken with, by kind.

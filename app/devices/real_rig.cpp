@@ -4,7 +4,11 @@
 
 #include "base/errors.h"
 #include "devices/fixed_place.h"
+#include "devices/folder_sensor.h"
 #include "devices/openni2_sensor.h"
+#include "devices/program_sensor.h"
+#include "devices/program_turntable.h"
+#include "devices/replay_sensor.h"
 #include "devices/serial/table_device.h"
 #include "scanner/turntable_positioner.h"
 
@@ -20,9 +24,14 @@ struct SensorMaking {
   std::shared_ptr<RangeSensor> operator()(const OpenNi2Device& device) const {
     return makeOpenNi2Sensor(device, setUp.profile);
   }
-  template <typename Device>
-  std::shared_ptr<RangeSensor> operator()(const Device&) const {
-    throw InvalidInput("not yet");
+  std::shared_ptr<RangeSensor> operator()(const FolderDevice& device) const {
+    return std::make_shared<FolderSensor>(FolderSensorOptions{device.folder, setUp.reading}, setUp.profile);
+  }
+  std::shared_ptr<RangeSensor> operator()(const ReplayDevice& device) const {
+    return std::make_shared<ReplaySensor>(device.session, setUp.profile, setUp.reading);
+  }
+  std::shared_ptr<RangeSensor> operator()(const ProgramDevice& device) const {
+    return std::make_shared<ProgramSensor>(device, setUp.profile, setUp.reading);
   }
 };
 
@@ -49,6 +58,7 @@ struct TableMaking {
 
 std::shared_ptr<Turntable> turntableOf(const TableDevice& table) {
   if (const auto* serial = std::get_if<SerialTableDevice>(&table)) return serialTurntable(*serial);
+  if (const auto* program = std::get_if<ProgramDevice>(&table)) return std::make_shared<ProgramTurntable>(*program);
   return nullptr;
 }
 

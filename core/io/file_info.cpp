@@ -7,6 +7,7 @@
 #include "base/errors.h"
 #include "geometry/measures.h"
 #include "io/file_kind.h"
+#include "io/grid_file.h"
 #include "io/mesh_reader.h"
 #include "io/model_reader.h"
 #include "io/obj_reader.h"
@@ -103,6 +104,11 @@ FileInfo describePoints(const std::vector<Vec3>& points, const std::string& form
   return info;
 }
 
+FileInfo describeText(const std::string& path, const Progress& progress) {
+  const GridFile file = readSamples(path, progress);
+  return file.organised ? describeRange(path, progress) : describePoints(file.samples.points, "xyz");
+}
+
 FileInfo describePly(const std::string& path, const Progress& progress) {
   const PlyHeader header = readPlyHeader(path);
   if (isPlyGrid(header)) return describeRange(path, progress);
@@ -186,7 +192,10 @@ FileInfo describeFile(const std::string& path, const Progress& progress) {
       return describeMesh(path, progress);
     case FileKind::Pcd:
     case FileKind::Ptx:
+    case FileKind::DepthPng:
       return describeRange(path, progress);
+    case FileKind::TextPoints:
+      return describeText(path, progress);
     case FileKind::ScanPoses:
       return describePoses(path);
     case FileKind::Profile:

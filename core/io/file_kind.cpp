@@ -22,29 +22,45 @@ std::string_view firstWord(std::string_view head) {
 
 constexpr std::array<std::string_view, 5> kTextPoints{"xyz", "pts", "asc", "csv", "txt"};
 
-// Whether the first line is of numbers.
-bool beginsWithNumbers(std::string_view head) {
+// Whether the first of the lines that hold numbers, behind a few of words, begins with one.
+bool beginsWithNumbers(std::string_view head, std::size_t wordLines) {
   TextScanner text(head, {});
-  std::size_t numbers = 0;
-  for (std::string_view field = text.fieldOnLine(); !field.empty(); field = text.fieldOnLine()) {
-    if (!parseNumber(field.substr(0, field.find_first_of(",;")))) return false;
-    ++numbers;
+  do {
+    const std::string_view field = text.fieldOnLine();
+    if (parseDecimal(field.substr(0, field.find(';')))) return true;
+    if (parseNumber(field.substr(0, field.find_first_of(",;")))) return true;
+    if (!field.empty() && !field.starts_with('#') && !field.starts_with("//") && wordLines-- == 0) return false;
+  } while (text.nextLine());
+  return false;
+}
+
+// Columns and rows on lines of their own, then three numbers.
+bool looksLikePtx(std::string_view head) {
+  TextScanner text(head, {});
+  for (int i = 0; i < 2; ++i) {
+    if (!parseInteger(text.fieldOnLine()) || !text.fieldOnLine().empty() || !text.nextLine()) return false;
   }
-  return numbers > 0;
+  for (int i = 0; i < 3; ++i)
+    if (!parseDecimal(text.fieldOnLine())) return false;
+  return text.fieldOnLine().empty();
+}
+
+constexpr std::size_t kWordLines = 5;  // that a list of points may begin with
+
+bool isText(const std::string& extension, std::string_view head) {
+  const bool listed = std::find(kTextPoints.begin(), kTextPoints.end(), extension) != kTextPoints.end();
+  return (listed && beginsWithNumbers(head, kWordLines)) || (extension.empty() && beginsWithNumbers(head, 0));
 }
 
 // Files whose content says what they are not.
 void refuseKnownOthers(const std::string& path, std::string_view head, const std::string& extension) {
-  const std::string instead = ", which is not supported: export a range file (PLY, PCD or PTX) or a mesh instead";
+  const std::string instead = ", which is not supported: export a range file (PLY, PCD, PTX or XYZ) or a mesh instead";
   if (head.starts_with("version https://git-lfs.github.com/"))
     throw InvalidInput(path + ": is a git-lfs pointer, not the file itself: fetch it with 'git lfs pull'");
   if (head.starts_with("ASTM-E57") || extension == "e57")
     throw InvalidInput(path + ": is an E57 point cloud" + instead);
   if (head.starts_with("LASF") || extension == "las" || extension == "laz")
     throw InvalidInput(path + ": is a LAS point cloud" + instead);
-  const bool listed = std::find(kTextPoints.begin(), kTextPoints.end(), extension) != kTextPoints.end();
-  if (listed && beginsWithNumbers(head))
-    throw InvalidInput(path + ": is a point cloud as text (XYZ), which has no rows and columns of samples" + instead);
 }
 
 }  // namespace
@@ -54,6 +70,10 @@ std::string extensionOf(const std::string& path) {
   return extension.empty() ? extension : lowerCase(std::string_view(extension).substr(1));
 }
 
+bool beginsWithNumbers(const std::string& path) {
+  return beginsWithNumbers(readHead(path, kHeadBytes), 0);
+}
+
 FileKind detectFileKind(const std::string& path) {
   const std::string head = readHead(path, kHeadBytes);
   const std::string extension = extensionOf(path);
@@ -61,6 +81,8 @@ FileKind detectFileKind(const std::string& path) {
   if (looksLikePly(head)) return FileKind::Ply;
   if (head.starts_with("# .PCD") || extension == "pcd") return FileKind::Pcd;
   if (head.starts_with(std::string_view("SQLite format 3\0", 16))) return FileKind::Session;
+  if (head.starts_with("\x89PNG\r\n\x1a\n")) return FileKind::DepthPng;
+  if (extension != "ptx" && isText(extension, head)) return looksLikePtx(head) ? FileKind::Ptx : FileKind::TextPoints;
   if (extension == "ply")
     throw InvalidInput(path + ": begins with " + inQuotes(head) + ", a PLY file begins with the line 'ply'");
   if (extension == "stl") return FileKind::Stl;

@@ -12,20 +12,25 @@ enum class FileKind {
   Obj,
   Off,
   ThreeMf,
-  Pcd,        ///< points of the Point Cloud Library
-  Ptx,        ///< points of a terrestrial scanner
-  OtherMesh,  ///< a format that assimp reads
-  ScanPoses,  ///< Stanford .conf
-  Profile,    ///< JSON
-  Session,    ///< SQLite
+  Pcd,         ///< points of the Point Cloud Library
+  Ptx,         ///< points of a terrestrial scanner
+  TextPoints,  ///< lines of x y z
+  DepthPng,    ///< a picture; of 16 bits it may be depth
+  OtherMesh,   ///< a format that assimp reads
+  ScanPoses,   ///< Stanford .conf
+  Profile,     ///< JSON
+  Session,     ///< SQLite
 };
 
 /// Extension in lower case, without the dot.
 [[nodiscard]] std::string extensionOf(const std::string& path);
 
+/// Whether a file begins with numbers as text, whatever its extension says. @throws IoError when it cannot be read
+[[nodiscard]] bool beginsWithNumbers(const std::string& path);
+
 /// @throws IoError when the file is missing, a folder, empty or cannot be read
 /// @throws InvalidInput naming the file for a git-lfs pointer, for kinds that are known but not supported (E57,
-/// LAS, points as plain text) and for anything else: an extension that says mesh must not contradict the content
+/// LAS) and for anything else: an extension that says mesh must not contradict the content
 [[nodiscard]] FileKind detectFileKind(const std::string& path);
 
 }  // namespace vantage

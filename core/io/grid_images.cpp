@@ -26,9 +26,18 @@ std::vector<float> rangesOf(const SampleGrid& grid, const std::vector<RangingRay
   return range;
 }
 
+std::vector<Colour> coloursOf(const SampleGrid& grid) {
+  if (grid.colours.empty()) return {};
+  std::vector<Colour> colours(grid.cell.size(), Colour{});
+  for (std::size_t k = 0; k < colours.size(); ++k)
+    if (grid.cell[k] != kNoIndex) colours[k] = grid.colours[grid.cell[k]];
+  return colours;
+}
+
 RangeImage imageOf(const SampleGrid& grid, std::vector<RangingRay> rays) {
   RangeImage image;
   image.range = rangesOf(grid, rays);
+  image.colours = coloursOf(grid);
   image.rays = std::make_shared<const RayGrid>(grid.rows, grid.columns, std::move(rays), std::vector<Vec3>{}, 0);
   return image;
 }
@@ -42,6 +51,7 @@ RangeImage columnsOf(const RangeImage& image, int first, int count, int period) 
       const std::size_t i = image.rays->index(r, ((first + k) % period + period) % period);
       rays.push_back(image.rays->ray(i));
       part.range.push_back(image.range[i]);
+      if (!image.colours.empty()) part.colours.push_back(image.colours[i]);
     }
   }
   part.rays = std::make_shared<const RayGrid>(image.rays->rows(), count, std::move(rays), std::vector<Vec3>{}, 0);
@@ -105,6 +115,7 @@ RangeImage imageOnRays(const SampleGrid& grid, const std::shared_ptr<const RayGr
     image.range[k] = static_cast<float>(range);
   }
   image.rays = rays;
+  image.colours = coloursOf(grid);
   return image;
 }
 

@@ -38,7 +38,10 @@ PolygonSoup readSoup(const std::string& path, const MeshReadOptions& options, co
       return readOther(path, options, progress);
     case FileKind::Pcd:
     case FileKind::Ptx:
+    case FileKind::TextPoints:
       throw InvalidInput(path + ": is a point cloud, expected a mesh with triangles");
+    case FileKind::DepthPng:
+      throw InvalidInput(path + ": is a picture, expected a mesh with triangles");
     case FileKind::ScanPoses:
       throw InvalidInput(path + ": is a list of scan poses, expected a mesh");
     case FileKind::Profile:

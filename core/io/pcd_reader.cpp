@@ -1,6 +1,8 @@
 #include "io/pcd_reader.h"
 
+#include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -39,7 +41,8 @@ struct PcdHeader {
 
 class PcdHeaderReader {
  public:
-  explicit PcdHeaderReader(const FileBytes& file) : file_(file), text_(file.text(), file.path()) {}
+  PcdHeaderReader(const FileBytes& file, bool anyPoints)
+      : file_(file), anyPoints_(anyPoints), text_(file.text(), file.path()) {}
 
   PcdHeader read() {
     do {
@@ -95,7 +98,7 @@ class PcdHeaderReader {
     std::array<double, 7> n{};
     for (double& value : n) {
       const std::string_view field = text_.fieldOnLine();
-      const auto number = parseNumber(field);
+      const auto number = parseDecimal(field);
       if (!number || !std::isfinite(*number))
         text_.fail("VIEWPOINT has " + inQuotes(field) + ", expected the seven numbers tx ty tz qw qx qy qz");
       value = *number;
@@ -115,7 +118,7 @@ class PcdHeaderReader {
     std::size_t row = 0;
     for (const PcdField& field : header_.fields) row += field.bytes();
     if (row > kMaxRowBytes) text_.fail("a point of the PCD file has " + std::to_string(row) + " bytes, at most 65536");
-    if (*header_.height < 2 || *header_.width < 2)
+    if (!anyPoints_ && (*header_.height < 2 || *header_.width < 2))
       throw InvalidInput(file_.path() + ": is a PCD point cloud of " + std::to_string(*header_.width) + " x " +
                          std::to_string(*header_.height) +
                          " points, without rows and columns: expected an organised one with WIDTH and HEIGHT above 1");
@@ -138,6 +141,7 @@ class PcdHeaderReader {
   }
 
   const FileBytes& file_;
+  bool anyPoints_;
   TextScanner text_;
   PcdHeader header_;
 };
@@ -168,47 +172,85 @@ double valueAt(const char* from, std::size_t size) {
   return static_cast<double>(value);
 }
 
-std::vector<Vec3> readAscii(const FileBytes& file, const PcdHeader& header, const std::array<std::size_t, 3>& wanted,
-                            const Progress& progress) {
+// The field "rgb" or "rgba" of four bytes, packed as 0xAARRGGBB.
+std::optional<std::size_t> colourOf(const PcdHeader& header) {
+  for (std::size_t f = 0; f < header.fields.size(); ++f) {
+    const PcdField& field = header.fields[f];
+    if ((field.name == "rgb" || field.name == "rgba") && field.size == 4 && field.count == 1) return f;
+  }
+  return std::nullopt;
+}
+
+Colour unpacked(std::uint32_t rgb) {
+  return {static_cast<std::uint8_t>(rgb >> 16 & 0xFFU), static_cast<std::uint8_t>(rgb >> 8 & 0xFFU),
+          static_cast<std::uint8_t>(rgb & 0xFFU)};
+}
+
+// A packed colour that stands there as a whole number, or as the floating point number of the same bits.
+Colour colourIn(double value, char type) {
+  if (type == 'F') return unpacked(std::bit_cast<std::uint32_t>(static_cast<float>(value)));
+  if (type == 'I') return unpacked(static_cast<std::uint32_t>(static_cast<std::int64_t>(value)));
+  return unpacked(static_cast<std::uint32_t>(std::clamp(value, 0.0, 4294967295.0)));
+}
+
+struct PcdPoints {
+  std::vector<Vec3> points;
+  std::vector<Colour> colours;  // empty where the file has none
+};
+
+// What a point is made of.
+struct PcdPlaces {
+  std::array<std::size_t, 3> coordinates;
+  std::optional<std::size_t> colour;
+};
+
+PcdPoints readAscii(const FileBytes& file, const PcdHeader& header, const PcdPlaces& wanted, const Progress& progress) {
   constexpr std::size_t kPerCheckpoint = 65536;
   const std::size_t count = *header.width * *header.height;
   if (count > file.size() - header.bodyOffset + 1)
     throw InvalidInput(file.path() + ": the PCD file ends early: it has no room for its " + std::to_string(count) +
                        " points");
   TextScanner text(file.text().substr(header.bodyOffset), file.path(), header.bodyLine);
-  std::vector<Vec3> points(count);
+  PcdPoints read{std::vector<Vec3>(count), std::vector<Colour>(wanted.colour ? count : 0)};
   for (std::size_t i = 0; i < count; ++i) {
     if (i % kPerCheckpoint == 0) progress.checkpoint(static_cast<double>(i) / static_cast<double>(count));
     for (std::size_t f = 0; f < header.fields.size(); ++f) {
       for (std::size_t n = 0; n < header.fields[f].count; ++n) {
         const std::string_view field = text.field();
-        const auto value = parseNumber(field);
+        const auto value = parseDecimal(field);
         if (!value)
           text.fail(field.empty() ? "the PCD file ends within point " + std::to_string(i)
                                   : inQuotes(field) + " is no number");
         for (int k = 0; k < 3; ++k)
-          if (wanted[static_cast<std::size_t>(k)] == f) points[i][k] = *value;
+          if (wanted.coordinates[static_cast<std::size_t>(k)] == f) read.points[i][k] = *value;
+        if (wanted.colour == f && std::isfinite(*value)) read.colours[i] = colourIn(*value, header.fields[f].type);
       }
     }
   }
-  return points;
+  return read;
 }
 
 // Fields of one point lie beside each other, or, unpacked, all values of a field.
-std::vector<Vec3> readBinary(std::string_view body, const PcdHeader& header, const std::array<std::size_t, 3>& wanted,
-                             bool byField) {
+PcdPoints readBinary(std::string_view body, const PcdHeader& header, const PcdPlaces& wanted, bool byField) {
   const std::size_t count = *header.width * *header.height;
   std::vector<std::size_t> before(header.fields.size() + 1, 0);
   for (std::size_t f = 0; f < header.fields.size(); ++f) before[f + 1] = before[f] + header.fields[f].bytes();
-  std::vector<Vec3> points(count);
-  for (std::size_t k = 0; k < 3; ++k) {
-    const std::size_t f = wanted[k];
+  const auto at = [&](std::size_t f, std::size_t i) {
     const std::size_t start = byField ? before[f] * count : before[f];
-    const std::size_t step = byField ? header.fields[f].bytes() : before.back();
+    return body.data() + start + i * (byField ? header.fields[f].bytes() : before.back());
+  };
+  PcdPoints read{std::vector<Vec3>(count), std::vector<Colour>(wanted.colour ? count : 0)};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::size_t f = wanted.coordinates[k];
     for (std::size_t i = 0; i < count; ++i)
-      points[i][static_cast<Eigen::Index>(k)] = valueAt(body.data() + start + i * step, header.fields[f].size);
+      read.points[i][static_cast<Eigen::Index>(k)] = valueAt(at(f, i), header.fields[f].size);
   }
-  return points;
+  for (std::size_t i = 0; i < read.colours.size(); ++i) {
+    std::uint32_t rgb = 0;
+    std::memcpy(&rgb, at(*wanted.colour, i), sizeof(rgb));
+    read.colours[i] = unpacked(rgb);
+  }
+  return read;
 }
 
 std::size_t bodyBytes(const PcdHeader& header) {
@@ -229,8 +271,8 @@ std::string unpackBody(const FileBytes& file, const PcdHeader& header) {
   return unpackLzf(body.substr(sizeof(sizes), sizes[0]), sizes[1], file.path() + ": the packed part of the PCD file");
 }
 
-std::vector<Vec3> readPoints(const FileBytes& file, const PcdHeader& header, const Progress& progress) {
-  const auto wanted = coordinatesOf(header, file.path());
+PcdPoints readPoints(const FileBytes& file, const PcdHeader& header, const Progress& progress) {
+  const PcdPlaces wanted{coordinatesOf(header, file.path()), colourOf(header)};
   if (header.data == "ascii") return readAscii(file, header, wanted, progress);
   if (header.data == "binary_compressed") return readBinary(unpackBody(file, header), header, wanted, true);
   if (header.data != "binary")
@@ -246,10 +288,17 @@ std::vector<Vec3> readPoints(const FileBytes& file, const PcdHeader& header, con
 
 }  // namespace
 
-GridFile readPcd(const FileBytes& bytes, const Progress& progress) {
-  const PcdHeader header = PcdHeaderReader(bytes).read();
+GridFile readPcd(const FileBytes& bytes, bool anyPoints, const Progress& progress) {
+  const PcdHeader header = PcdHeaderReader(bytes, anyPoints).read();
   GridFile file;
-  file.samples = gridOf(*header.height, *header.width, readPoints(bytes, header, progress), bytes.path());
+  PcdPoints read = readPoints(bytes, header, progress);
+  file.organised = *header.height > 1 && *header.width > 1;
+  if (file.organised) {
+    file.samples = gridOf(*header.height, *header.width, std::move(read.points), bytes.path());
+    file.samples.colours = std::move(read.colours);
+  } else {
+    file.samples = scatteredPoints(std::move(read.points), std::move(read.colours));
+  }
   file.inMetres = true;
   if (header.viewpoint && !header.viewpoint->isApprox(Pose::Identity(), 1e-12)) file.T_world_scanner = header.viewpoint;
   return file;

@@ -91,7 +91,7 @@ class TextValues {
 
   double next(PlyType type, const PlyElement& element, std::size_t row) {
     const std::string_view field = text_.field();
-    const auto value = parseNumber(field);
+    const auto value = parseDecimal(field);
     if (field.empty())
       text_.fail("the file ends within row " + std::to_string(row) + " of the " + std::to_string(element.count) +
                  " rows of element " + inQuotes(element.name));

@@ -1,5 +1,6 @@
 #include "io/ply_grid.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -10,9 +11,12 @@
 namespace vantage {
 namespace {
 
-constexpr std::array<PlySelection, 5> kWanted{{{"vertex", "x"},
+constexpr std::array<PlySelection, 8> kWanted{{{"vertex", "x"},
                                                {"vertex", "y"},
                                                {"vertex", "z"},
+                                               {"vertex", "red"},
+                                               {"vertex", "green"},
+                                               {"vertex", "blue"},
                                                {"range_grid", "vertex_indices"},
                                                {"range_grid", "vertex_index"}}};
 
@@ -36,6 +40,27 @@ std::vector<Vec3> readPoints(const PlyDocument& document, const std::string& pat
   for (std::size_t i = 0; i < points.size(); ++i)
     points[i] = Vec3(columns[0]->values[i], columns[1]->values[i], columns[2]->values[i]);
   return points;
+}
+
+// Per vertex; nothing where one of the three is missing. Numbers with a fraction are shares of full light.
+std::vector<Colour> readColours(const PlyDocument& document) {
+  constexpr std::array<std::string_view, 3> kChannels{"red", "green", "blue"};
+  std::array<const PlyColumn*, 3> columns{};
+  std::array<double, 3> full{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    columns[k] = document.find("vertex", kChannels[k]);
+    if (columns[k] == nullptr || !columns[k]->start.empty()) return {};
+    const PlyType type = document.header().find("vertex")->find(kChannels[k])->type;
+    const bool share = type == PlyType::Float32 || type == PlyType::Float64;
+    full[k] = share ? 255.0 : type == PlyType::UInt16 ? 255.0 / 65535.0 : 1.0;
+  }
+  std::vector<Colour> colours(columns[0]->values.size());
+  for (std::size_t i = 0; i < colours.size(); ++i)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double value = full[k] * columns[k]->values[i];
+      colours[i][k] = static_cast<std::uint8_t>(value >= 0.0 ? std::lround(std::min(value, 255.0)) : 0);
+    }
+  return colours;
 }
 
 std::vector<std::uint32_t> readCells(const PlyDocument& document, std::size_t cells, const std::vector<Vec3>& points,
@@ -83,7 +108,9 @@ SampleGrid organisedGrid(const PlyDocument& document, const std::string& path) {
                        ": PLY header: has no element 'range_grid', so one vertex per cell is expected: num_rows "
                        "x num_cols = " +
                        std::to_string(rows * columns) + " vertices, but there are " + std::to_string(points.size()));
-  return gridOf(rows, columns, std::move(points), path);
+  SampleGrid grid = gridOf(rows, columns, std::move(points), path);
+  grid.colours = readColours(document);
+  return grid;
 }
 
 SampleGrid rangeGrid(const PlyDocument& document, const std::string& path) {
@@ -95,6 +122,7 @@ SampleGrid rangeGrid(const PlyDocument& document, const std::string& path) {
     throw InvalidInput(path + ": has a grid of " + std::to_string(cells) + " cells, at most " +
                        std::to_string(kMaxGridCells) + " are supported");
   grid.points = readPoints(document, path);
+  grid.colours = readColours(document);
   grid.cell = readCells(document, cells, grid.points, path);
   return grid;
 }
@@ -112,12 +140,18 @@ bool isPlyGrid(const PlyHeader& header) {
   return sensible(columns) && sensible(rows) && vertices->count == static_cast<std::size_t>(*columns * *rows);
 }
 
-GridFile readPlyGrid(const FileBytes& bytes, const Progress& progress) {
+GridFile readPlyGrid(const FileBytes& bytes, bool anyPoints, const Progress& progress) {
   const PlyDocument document = readPlyDocument(bytes, kWanted, progress);
   const PlyHeader& header = document.header();
   GridFile file;
   const bool lists = header.find("range_grid") != nullptr;
-  file.samples = lists ? rangeGrid(document, bytes.path()) : organisedGrid(document, bytes.path());
+  const bool said = lists || header.info("num_cols") || header.info("num_rows");
+  if (anyPoints && !said) {
+    file.samples = scatteredPoints(readPoints(document, bytes.path()), readColours(document));
+    file.organised = false;
+  } else {
+    file.samples = lists ? rangeGrid(document, bytes.path()) : organisedGrid(document, bytes.path());
+  }
   file.bytesLeftOver = document.bytesLeftOver();
   file.unit = statedUnit(header, bytes.path());
   const std::string rays = header.info("rays").value_or("");

@@ -10,7 +10,9 @@ namespace vantage {
 /// its obj_info lines num_cols and num_rows say.
 [[nodiscard]] bool isPlyGrid(const PlyHeader& header);
 
-/// A PLY range file, see readGridFile. @throws InvalidInput, Cancelled
-[[nodiscard]] GridFile readPlyGrid(const FileBytes& file, const Progress& progress = {});
+/// A PLY range file, see readGridFile. Colours of vertices are kept.
+/// @param anyPoints whether vertices without rows and columns will do: see readSamples
+/// @throws InvalidInput, Cancelled
+[[nodiscard]] GridFile readPlyGrid(const FileBytes& file, bool anyPoints, const Progress& progress = {});
 
 }  // namespace vantage

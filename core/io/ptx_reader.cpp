@@ -1,5 +1,6 @@
 #include "io/ptx_reader.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -26,6 +27,7 @@ class PtxReader {
     GridFile file;
     file.T_world_scanner = readPose();
     file.samples = gridOf(rows, columns, readPoints(rows, columns), file_.path());
+    if (coloured_) file.samples.colours = std::move(colours_);
     file.inMetres = true;
     file.fromOrigin = true;
     if (!text_.field().empty())
@@ -61,18 +63,28 @@ class PtxReader {
 
   std::vector<Vec3> readPoints(std::size_t rows, std::size_t columns) {
     std::vector<Vec3> points(rows * columns);
+    colours_.assign(points.size(), Colour{});
     static_cast<void>(text_.nextLine());
     for (std::size_t i = 0; i < points.size(); ++i) {
       if (i % kPerCheckpoint == 0) progress_.checkpoint(static_cast<double>(i) / static_cast<double>(points.size()));
-      points[i % rows * columns + i / rows] = readPoint();
+      const std::size_t cell = i % rows * columns + i / rows;
+      points[cell] = readPoint(colours_[cell]);
     }
     return points;
   }
 
   // Behind the coordinates stand intensity and colours, or nothing.
-  Vec3 readPoint() {
+  Vec3 readPoint(Colour& colour) {
     Vec3 p;
     for (int k = 0; k < 3; ++k) p[k] = text_.number("the three coordinates of a point");
+    if (!text_.fieldOnLine().empty()) {
+      for (std::uint8_t& channel : colour) {
+        const auto value = parseInteger(text_.fieldOnLine());
+        if (!value) break;
+        channel = static_cast<std::uint8_t>(std::clamp<std::int64_t>(*value, 0, 255));
+        coloured_ = true;
+      }
+    }
     static_cast<void>(text_.nextLine());
     return p.isZero(0.0) ? Vec3::Constant(std::numeric_limits<double>::quiet_NaN()) : p;
   }
@@ -80,6 +92,8 @@ class PtxReader {
   const FileBytes& file_;
   const Progress& progress_;
   TextScanner text_;
+  std::vector<Colour> colours_;
+  bool coloured_ = false;
 };
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "scanner/range_image.h"
 #include "scanner/ray_grid.h"
 
 namespace vantage {
@@ -13,6 +14,7 @@ struct SampleGrid {
   int columns = 0;
   std::vector<Vec3> points;         ///< [mm]
   std::vector<std::uint32_t> cell;  ///< per cell, row-major: index of its point, or kNoIndex
+  std::vector<Colour> colours{};    ///< per point; empty where the file has none
 };
 
 /// Lines of sight of a grid: the ray of row r, column c moves by slope(r, c) in x and y while z grows by 1. With

@@ -6,6 +6,7 @@
 
 #include "base/errors.h"
 #include "io/grid_images.h"
+#include "io/profile_scan.h"
 #include "scanner/length_unit.h"
 
 namespace vantage {
@@ -66,16 +67,15 @@ std::string cellText(std::size_t cell, int columns) {
          std::to_string(cell % static_cast<std::size_t>(columns));
 }
 
-void fitSize(RawScan& scan, const RayGrid& rays) {
+// Whether rows and columns are those of the rays, exchanged if need be.
+bool fitSize(RawScan& scan, const RayGrid& rays) {
   SampleGrid& grid = scan.file.samples;
-  const auto fits = [&] { return grid.rows == rays.rows() && grid.columns == rays.columns(); };
-  if (fits()) return;
+  if (!scan.file.organised) return false;
+  if (grid.rows == rays.rows() && grid.columns == rays.columns()) return true;
+  if (grid.rows != rays.columns() || grid.columns != rays.rows()) return false;
   grid = transposed(grid);
   scan.reading.exchanged = true;
-  if (!fits())
-    throw InvalidInput(scan.path + ": has " + std::to_string(grid.columns) + " x " + std::to_string(grid.rows) +
-                       " samples, expected the scanner's " + std::to_string(rays.rows()) + " x " +
-                       std::to_string(rays.columns()));
+  return true;
 }
 
 SampleGrid moved(SampleGrid grid, double unit, const Pose& T_scanner_file) {
@@ -112,41 +112,83 @@ bool isPlausible(const RangeImage& image, const SampleGrid& grid, const ScannerP
   return static_cast<double>(near) >= kMostSamples * count && static_cast<double>(reached) >= 0.5 * count;
 }
 
+Pose scaled(Pose pose, double unit) {
+  pose.translation() *= unit;
+  return pose;
+}
+
+// Cell by cell on the rays of the same rows and columns.
+class CellByCell {
+ public:
+  CellByCell(const RawScan& scan, const ScannerProfile& profile, const std::optional<Pose>& T_table_scanner)
+      : scan_(scan), profile_(profile), T_table_scanner_(T_table_scanner) {}
+
+  std::optional<ReadScan> read(bool inUnits, std::optional<double> given) {
+    const SampleGrid& grid = scan_.file.samples;
+    for (const auto& [unit, knownBy] : unitsToTry(scan_, given))
+      for (const Frame& frame : framesToTry(grid, *profile_.rays, T_table_scanner_, inUnits ? unit : 1.0)) {
+        OffRays off;
+        const SampleGrid samples = moved(grid, unit, frame.T_scanner_file);
+        ReadScan read{0, imageOnRays(samples, profile_.rays, off), scan_.reading};
+        if (!first_) first_ = off;
+        if (!read.image.rays) continue;
+        read.reading.unit = read.reading.poseUnit = unit;
+        read.reading.unitKnownBy = knownBy;
+        read.reading.sightKind = SightKind::Profile;
+        read.reading.sightKnownBy = KnownBy::Evidence;
+        read.reading.placed = frame.kind == Frame::Kind::Table;
+        const Pose pose = T_table_scanner_.value_or(Pose::Identity());
+        const bool camera = frame.kind == Frame::Kind::Camera;
+        if (camera && !areAboutVolume(samples, profile_, scaled(pose, inUnits ? unit : 1.0))) continue;
+        if (isPlausible(read.image, samples, profile_)) return read;
+        if (!likely_ && frame.kind == Frame::Kind::Profile) likely_ = std::move(read);
+      }
+    return std::nullopt;
+  }
+
+  // On the rays, but not where the scanner measures.
+  std::optional<ReadScan>& likely() { return likely_; }
+
+  [[noreturn]] void refuse() const {
+    throw InvalidInput(scan_.path + ": the sample in " + cellText(first_->cell, scan_.file.samples.columns) + " lies " +
+                       std::to_string(first_->aside) +
+                       " mm beside its ranging ray, at most 1 mm or 1 % of the range is allowed: this is another "
+                       "scanner's file");
+  }
+
+ private:
+  const RawScan& scan_;
+  const ScannerProfile& profile_;
+  const std::optional<Pose>& T_table_scanner_;
+  std::optional<OffRays> first_;
+  std::optional<ReadScan> likely_;
+};
+
+ReadScan readAnyway(RawScan scan, const ScannerProfile& profile, const std::optional<Pose>& T_table_scanner,
+                    bool inUnits, const ScanReadingOptions& options) {
+  const bool fits = fitSize(scan, *profile.rays);
+  CellByCell direct(scan, profile, T_table_scanner);
+  const bool asFound = !options.frame && options.up.value_or(Axis::Z) == Axis::Z;
+  if (fits && asFound)
+    if (auto read = direct.read(inUnits, options.unit)) return std::move(*read);
+  try {
+    return placeOnRays(scan, profile, options, T_table_scanner, fits);
+  } catch (const UnansweredQuestion&) {
+    throw;
+  } catch (const InvalidInput&) {
+    if (direct.likely()) return std::move(*direct.likely());
+    if (fits && asFound) direct.refuse();
+    throw;
+  }
+}
+
 }  // namespace
 
 ReadScan readOnRays(RawScan scan, const ScannerProfile& profile, const std::optional<Pose>& T_table_scanner,
-                    bool inUnits, std::optional<double> given) {
-  fitSize(scan, *profile.rays);
-  const SampleGrid& grid = scan.file.samples;
-  std::optional<OffRays> first;
-  std::optional<ReadScan> likely;
-  for (const auto& [unit, knownBy] : unitsToTry(scan, given)) {
-    for (const Frame& frame : framesToTry(grid, *profile.rays, T_table_scanner, inUnits ? unit : 1.0)) {
-      OffRays off;
-      const SampleGrid samples = moved(grid, unit, frame.T_scanner_file);
-      ReadScan read{0, imageOnRays(samples, profile.rays, off), scan.reading};
-      if (!first) first = off;
-      if (!read.image.rays) continue;
-      read.reading.unit = read.reading.poseUnit = unit;
-      read.reading.unitKnownBy = knownBy;
-      read.reading.sightKind = SightKind::Profile;
-      read.reading.sightKnownBy = KnownBy::Evidence;
-      read.reading.placed = frame.kind == Frame::Kind::Table;
-      if (T_table_scanner) {
-        read.image.T_table_scanner = *T_table_scanner;
-        read.image.T_table_scanner.translation() *= inUnits ? unit : 1.0;
-      }
-      const bool camera = frame.kind == Frame::Kind::Camera;
-      if (camera && !areAboutVolume(samples, profile, read.image.T_table_scanner)) continue;
-      if (isPlausible(read.image, samples, profile)) return read;
-      if (!likely && frame.kind == Frame::Kind::Profile) likely = std::move(read);
-    }
-  }
-  if (likely) return std::move(*likely);
-  throw InvalidInput(scan.path + ": the sample in " + cellText(first->cell, grid.columns) + " lies " +
-                     std::to_string(first->aside) +
-                     " mm beside its ranging ray, at most 1 mm or 1 % of the range is allowed: this is another "
-                     "scanner's file");
+                    bool inUnits, const ScanReadingOptions& options) {
+  ReadScan read = readAnyway(std::move(scan), profile, T_table_scanner, inUnits, options);
+  if (T_table_scanner) read.image.T_table_scanner = scaled(*T_table_scanner, inUnits ? read.reading.unit : 1.0);
+  return read;
 }
 
 }  // namespace vantage

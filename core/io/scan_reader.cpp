@@ -21,7 +21,7 @@ namespace {
 // Offsets are whole metres, so that they can be said and added without a rounding error.
 constexpr double kOffsetStep = 1000.0;  // [mm]
 
-constexpr std::array<std::pair<std::string_view, FrameChoice>, 10> kFrames{{{"x+", FrameChoice::LooksXUp},
+constexpr std::array<std::pair<std::string_view, FrameChoice>, 12> kFrames{{{"x+", FrameChoice::LooksXUp},
                                                                             {"x-", FrameChoice::LooksXDown},
                                                                             {"y+", FrameChoice::LooksYUp},
                                                                             {"y-", FrameChoice::LooksYDown},
@@ -29,6 +29,8 @@ constexpr std::array<std::pair<std::string_view, FrameChoice>, 10> kFrames{{{"x+
                                                                             {"z-", FrameChoice::LooksZDown},
                                                                             {"camera", FrameChoice::LooksZUp},
                                                                             {"gl", FrameChoice::LooksZDown},
+                                                                            {"opengl", FrameChoice::LooksZDown},
+                                                                            {"profile", FrameChoice::Profile},
                                                                             {"world", FrameChoice::World},
                                                                             {"cylinder", FrameChoice::Turn}}};
 
@@ -64,10 +66,10 @@ void findSights(RawScan& scan) {
   if (scan.turn) scan.file.samples = other;
 }
 
-RawScan readRaw(const std::string& path, const ScanReadingOptions& options, const Progress& progress) {
+RawScan readRaw(const std::string& path, bool ofProfile, const ScanReadingOptions& options, const Progress& progress) {
   RawScan scan;
   scan.path = path;
-  scan.file = readGridFile(path, progress);
+  scan.file = ofProfile ? readSamples(path, progress, options.grid) : readGridFile(path, progress, options.grid);
   dropMarks(scan, options);
   scan.T_object_scanner = scan.file.T_world_scanner;
   return scan;
@@ -77,12 +79,6 @@ Pose poseIn(const std::vector<ScanPose>& list, const std::string& file) {
   const auto pose = findPose(list, file);
   if (!pose) throw InvalidInput("the list of poses has none for " + file);
   return *pose;
-}
-
-// The rays of a profile say where the scanner looks, and its workspace what is up.
-void requireNoFrame(const ScanReadingOptions& options) {
-  if (options.frame || options.up.value_or(Axis::Z) != Axis::Z)
-    throw InvalidInput("frame and up axis of range files are those of the scanner profile: leave --frame and --up out");
 }
 
 class Interpretation {
@@ -235,19 +231,20 @@ std::optional<FrameChoice> parseFrame(std::string_view text) {
   for (const auto& [name, frame] : kFrames)
     if (name == text) return frame;
   throw InvalidInput("frame is '" + std::string(text) +
-                     "', expected auto, camera, gl, x+, x-, y+, y-, z+, z-, world or cylinder");
+                     "', expected auto, profile, camera, gl, x+, x-, y+, y-, z+, z-, world or cylinder");
 }
 
 std::vector<ReadScan> readScans(const std::vector<std::string>& files, const std::vector<ScanPose>* list,
                                 const ScannerProfile* profile, const ScanReadingOptions& options,
                                 const Progress& progress) {
-  if (profile != nullptr) requireNoFrame(options);
+  if (profile == nullptr && options.frame == FrameChoice::Profile)
+    throw InvalidInput("--frame profile needs --scanner PROFILE.json, whose frame it is");
   std::vector<RawScan> raw;
   const Progress reading = progress.part(0.0, 0.5);
   for (const std::string& file : files) {
     const auto done = static_cast<double>(raw.size());
     raw.push_back(readRaw(
-        file, options,
+        file, profile != nullptr, options,
         reading.part(done / static_cast<double>(files.size()), (done + 1.0) / static_cast<double>(files.size()))));
   }
   if (profile == nullptr) return Interpretation(std::move(raw), options).read(list, progress.part(0.5, 1.0));
@@ -255,7 +252,7 @@ std::vector<ReadScan> readScans(const std::vector<std::string>& files, const std
   for (RawScan& scan : raw) {
     std::optional<Pose> pose;
     if (list != nullptr) pose = poseIn(*list, scan.path);
-    read.push_back(readOnRays(std::move(scan), *profile, pose, true, options.unit));
+    read.push_back(readOnRays(std::move(scan), *profile, pose, true, options));
     read.back().file = read.size() - 1;
     if (pose) read.back().image.poseKnownBy = PoseSource::Reported;
   }
@@ -264,9 +261,8 @@ std::vector<ReadScan> readScans(const std::vector<std::string>& files, const std
 
 ReadScan readScanAt(const std::string& file, const ScannerProfile& profile, int position,
                     const ScanReadingOptions& options, const Progress& progress) {
-  requireNoFrame(options);
   const Pose& pose = profile.workspace.poses[static_cast<std::size_t>(position)];
-  ReadScan read = readOnRays(readRaw(file, options, progress), profile, pose, false, options.unit);
+  ReadScan read = readOnRays(readRaw(file, true, options, progress), profile, pose, false, options);
   read.image.station.position = position;
   read.image.poseKnownBy = PoseSource::Commanded;
   return read;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/progress.h"
+#include "io/grid_file.h"
 #include "io/scan_poses.h"
 #include "scanner/profile.h"
 #include "scanner/range_image.h"
@@ -16,10 +17,21 @@
 namespace vantage {
 
 /// What an operator says about the axes of range files.
-enum class FrameChoice : std::uint8_t { LooksXUp, LooksXDown, LooksYUp, LooksYDown, LooksZUp, LooksZDown, World, Turn };
+enum class FrameChoice : std::uint8_t {
+  LooksXUp,
+  LooksXDown,
+  LooksYUp,
+  LooksYDown,
+  LooksZUp,
+  LooksZDown,
+  World,
+  Turn,
+  Profile
+};
 
-/// "auto" is nothing; "x+", "x-", ... "z-": the scanner looks along that axis; "camera" is z+, "gl" is z-; "world": the
-/// points are in the object's coordinates; "cylinder": columns go around an axis.
+/// "auto" is nothing; "x+", "x-", ... "z-": the scanner looks along that axis; "camera" is z+, "gl" or "opengl" is z-;
+/// "world": the points are in the object's coordinates; "cylinder": columns go around an axis; "profile": points are in
+/// the coordinates of the scanner's profile.
 /// @throws InvalidInput for anything else
 [[nodiscard]] std::optional<FrameChoice> parseFrame(std::string_view text);
 
@@ -29,6 +41,7 @@ struct ScanReadingOptions {
   std::optional<FrameChoice> frame;
   std::optional<double> noSample;  ///< see dropNoSamples
   std::optional<Axis> up;          ///< of the world; nothing: z
+  std::optional<GridSize> grid;    ///< rows and columns of points as text, where the file does not say them
   double standoff = 100.0;         ///< how far before the nearest sample reconstructed rays begin [mm]
 };
 
@@ -44,7 +57,8 @@ struct ReadScan {
 /// @param list of poses, with a scale of 1; null without one. Files then have the poses that they carry themselves.
 /// @param profile null: rays are reconstructed from the grids.
 /// @throws IoError when a file cannot be read
-/// @throws InvalidInput when options contradict a profile, which has the frame; naming file, place and expectation; where the numbers do not tell unit or viewing direction,
+/// @throws InvalidInput when options name a frame that a profile does not have; naming file, place and expectation;
+/// where the numbers do not tell unit or viewing direction,
 ///         naming the option that does; Cancelled
 [[nodiscard]] std::vector<ReadScan> readScans(const std::vector<std::string>& files, const std::vector<ScanPose>* list,
                                               const ScannerProfile* profile, const ScanReadingOptions& options,

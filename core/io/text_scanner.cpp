@@ -62,7 +62,7 @@ bool TextScanner::nextLine() {
 
 double TextScanner::number(std::string_view what) {
   const std::string_view text = field();
-  const auto value = parseNumber(text);
+  const auto value = parseDecimal(text);
   if (value) return *value;
   if (text.empty()) fail("the file ends, expected " + std::string(what));
   fail(inQuotes(text) + " is not a number, expected " + std::string(what));
@@ -92,6 +92,16 @@ std::optional<double> parseNumber(std::string_view field) {
   }
   if (result.ec != std::errc()) return std::nullopt;
   return value;
+}
+
+std::optional<double> parseDecimal(std::string_view field) {
+  constexpr std::size_t kMost = 64;  // characters of a number with a comma
+  const std::size_t comma = field.find(',');
+  if (comma == std::string_view::npos || field.size() > kMost || field.find('.') != std::string_view::npos)
+    return parseNumber(field);
+  std::string text(field);
+  text[comma] = '.';
+  return parseNumber(text);
 }
 
 std::optional<std::int64_t> parseInteger(std::string_view field) {

@@ -44,6 +44,8 @@ class TextScanner {
 
 /// A decimal number, leading + allowed; nothing when the field is anything else. "nan" and "inf" are numbers.
 [[nodiscard]] std::optional<double> parseNumber(std::string_view field);
+/// The same, where the decimal sign may be a comma as well.
+[[nodiscard]] std::optional<double> parseDecimal(std::string_view field);
 [[nodiscard]] std::optional<std::int64_t> parseInteger(std::string_view field);
 
 /// A piece of a file as it can stand in a message: at most 40 characters, in quotes, '?' for what cannot be printed.

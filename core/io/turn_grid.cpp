@@ -115,7 +115,7 @@ std::vector<Vec2> filledPositions(const SampleGrid& grid, const TurnSight& turn,
 }  // namespace
 
 SampleGrid transposed(const SampleGrid& grid) {
-  SampleGrid turned{grid.columns, grid.rows, grid.points, grid.cell};
+  SampleGrid turned{grid.columns, grid.rows, grid.points, grid.cell, grid.colours};
   for (int r = 0; r < turned.rows; ++r)
     for (int c = 0; c < turned.columns; ++c) turned.cell[cellAt(turned, r, c)] = grid.cell[cellAt(grid, c, r)];
   return turned;

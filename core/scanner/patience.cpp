@@ -28,13 +28,15 @@ struct Patience::Conversation {
   std::condition_variable changed;
   std::chrono::steady_clock::time_point heard = std::chrono::steady_clock::now();
   double fraction = 0.0;
+  std::string step;
   std::exception_ptr error;
   bool done = false;
 
-  void hear(double newFraction) {
+  void hear(double newFraction, std::string_view newStep) {
     const std::lock_guard lock(mutex);
     heard = std::chrono::steady_clock::now();
     fraction = newFraction;
+    step = newStep;
   }
 
   void finish(std::exception_ptr failure) {
@@ -73,7 +75,7 @@ void Patience::run(const std::string& doing, std::function<void(const Progress&)
   progress.checkpoint(0.0);
   const auto talk = std::make_shared<Conversation>();
   std::stop_source stop;
-  const Progress inner([talk](double fraction, std::string_view /*step*/) { talk->hear(fraction); }, stop.get_token(),
+  const Progress inner([talk](double fraction, std::string_view step) { talk->hear(fraction, step); }, stop.get_token(),
                        progress.threads());
   Conversation::begin(talk, [work = std::move(work), inner] { work(inner); });
   try {
@@ -90,6 +92,7 @@ void Patience::await(Conversation& talk, std::stop_source& stop, const std::stri
   while (!talk.changed.wait_for(lock, kLook, [&] { return talk.done; })) {
     const bool silent = std::chrono::steady_clock::now() - talk.heard > patience_;
     const double fraction = talk.fraction;
+    const std::string step = talk.step;
     if (silent || progress.stopRequested()) {
       stop.request_stop();
       talk.changed.wait_for(lock, kGrace, [&] { return talk.done; });
@@ -99,7 +102,7 @@ void Patience::await(Conversation& talk, std::stop_source& stop, const std::stri
       throw DeviceError(device_ + " has not answered for " + seconds(patience_) + " s while " + doing +
                         "; nothing that was scanned is lost, go on when it is back");
     lock.unlock();
-    progress.checkpoint(fraction);
+    progress.part(0.0, 1.0, step).checkpoint(fraction);
     lock.lock();
   }
   if (talk.error) std::rethrow_exception(talk.error);

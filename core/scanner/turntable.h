@@ -17,6 +17,10 @@ struct TableAngle {
 /// (see TurntablePositioner).
 class Turntable : public Device {
  public:
+  /// Hears before every turn which position of the workspace it is for. Most tables need not know; what runs a program
+  /// may.
+  virtual void headFor(int /*position*/) {}
+
   /// Turns, and returns when it is at rest there.
   /// @throws DeviceError for whatever kept it from getting there, with what the operator can do about it; Cancelled:
   /// the table was told to stop, and angle() says what is then known

@@ -33,6 +33,7 @@ ReachedPose TurntablePositioner::moveTo(int position, const Progress& progress) 
   const auto before = table_->angle();
   const double commanded = tableAngleOf(*profile_, position, before ? before->degrees : 0.0);
   where_.reset();
+  table_->headFor(position);
   const TableAngle reached = table_->turnTo(commanded, progress);
   // The scanner goes round the object the other way than the table turns.
   const double off = radians((reached.degrees - commanded) / countPerDegree(*profile_));

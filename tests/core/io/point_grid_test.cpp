@@ -125,7 +125,7 @@ TEST(PcdReader, RefusesDamageInOneSentence) {
   refuse("a.pcd", changed(asciiPcd(), "FIELDS x y rgb z", "FIELDS x y rgb w"), {"no field 'z'"});
   refuse("a.pcd", changed(asciiPcd(), "TYPE F F", "TYPE F I"), {"'y'"});
   refuse("a.pcd", changed(asciiPcd(), "VIEWPOINT 0 0 0 1", "VIEWPOINT 0 0 0 9"), {"quaternion"});
-  refuse("a.pcd", changed(asciiPcd(), "20", "2,0"), {"line 14", "'2,0'"});
+  refuse("a.pcd", changed(asciiPcd(), "20", "2x0"), {"line 14", "'2x0'"});
   refuse("a.pcd", asciiPcd().substr(0, asciiPcd().size() - 20), {"ends within point 5"});
   refuse("a.pcd", binaryPcd().substr(0, binaryPcd().size() - 1), {"truncated"});
   refuse("a.pcd", compressedPcd().substr(0, compressedPcd().size() - 1), {"packed"});

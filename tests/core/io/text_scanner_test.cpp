@@ -43,6 +43,12 @@ TEST(TextScanner, ReadsNumbersInEverySpellingButNothingElse) {
   for (const char* text : {"", "1.0", "1e3", "99999999999999999999"}) EXPECT_FALSE(parseInteger(text)) << text;
 }
 
+TEST(TextScanner, ReadsDecimalCommasWhereTheyMayStand) {
+  EXPECT_EQ(parseDecimal("-1,5e2"), -150.0);
+  EXPECT_EQ(parseDecimal("2.5"), 2.5);
+  for (const char* text : {"", ",", "1,5,5", "1,000.5", "1,x"}) EXPECT_FALSE(parseDecimal(text)) << text;
+}
+
 TEST(TextScanner, ShowsOnlyWhatCanBePrinted) {
   EXPECT_EQ(inQuotes("a\tb\xff"), "'a?b?'");
   EXPECT_EQ(inQuotes(std::string(50, 'x')), "'" + std::string(40, 'x') + "...'");
