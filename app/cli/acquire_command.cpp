@@ -23,7 +23,7 @@ struct AcquireArguments {
   std::string out;
   std::string object;
   bool replace = false;
-  std::optional<double> unit;  ///< of the mesh [mm]
+  ReadingArguments reading;  ///< of files that come as scans; the unit also of the mesh
   SettingsArguments given;
   AcquisitionSettings settings;  ///< once the devices are known
 };
@@ -65,7 +65,7 @@ void run(const AcquireArguments& given, CommandContext& context) {
   const bool simulated = isSimulated(file.rig);
   args.settings = args.given.applied(simulated ? AcquisitionSettings() : withCut({}, file));
   args.settings.simulation.object = args.object;
-  if (args.unit) args.settings.simulation.unit = args.unit;
+  if (simulated) args.settings.simulation.unit = args.reading.options().unit;
   const std::string session = (std::filesystem::path(args.out) / "session.vantage").string();
   checkSessionPlace(session, args.replace);
   const AcquisitionResults results(args.out);
@@ -82,7 +82,7 @@ void run(const AcquireArguments& given, CommandContext& context) {
   PersonAtTable person(profile, args.events, context);
   HandTable::AskPerson ask;
   if (byHand) ask = [&](int position, const Progress& progress) { person.ask(position, progress); };
-  DeviceSetUp devices = RealDevices{file.rig, profile, ask};
+  DeviceSetUp devices = RealDevices{file.rig, profile, ask, args.reading.options()};
   if (simulated)
     devices = Simulated{object, profile, {args.settings.simulation.seed, args.settings.simulation.ideal}, ask};
   workOnNewSession({session, args.replace, true, {source, args.settings, object.get(), profile}}, context,
@@ -111,11 +111,7 @@ void addAcquireCommand(CLI::App& app, CommandContext& context) {
   args->given.addShorthand(*command, "--max-views", "max_views");
   args->given.addShorthand(*command, "--tolerance", "planner.tolerance");
   args->given.addShorthand(*command, "--place", "simulation.placement");
-  command
-      ->add_option_function<std::string>(
-          "--unit", [args](const std::string& text) { args->unit = unitNamed(text); },
-          "Unit of the mesh: mm, cm, inch or m; mm where it is not given")
-      ->type_name("UNIT");
+  args->reading.addTo(*command);
   args->given.addShorthand(*command, "--first-view", "first_view");
   args->given.addShorthand(*command, "--strategy", "strategy");
   context.addCommonOptions(*command);

@@ -27,6 +27,7 @@ class ToldSensor final : public RangeSensor {
   void open(const Progress& progress) override { sensor_->open(progress); }
   void close() noexcept override { sensor_->close(); }
   [[nodiscard]] std::optional<std::string> notReady() const override { return sensor_->notReady(); }
+  void announceMove() override { sensor_->announceMove(); }
   void standAt(const ReachedPose& pose) override { sensor_->standAt(pose); }
   [[nodiscard]] RangeImage capture(const Progress& progress) override {
     person_.tell({{"event", "waiting"}, {"for", sensor_->identity()}});

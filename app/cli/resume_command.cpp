@@ -8,6 +8,7 @@
 #include "cli/new_session.h"
 #include "cli/open_session.h"
 #include "cli/person_at_table.h"
+#include "cli/reading_arguments.h"
 #include "cli/rig_arguments.h"
 #include "cli/session_run.h"
 #include "cli/settings_arguments.h"
@@ -21,6 +22,7 @@ struct ResumeArguments {
   std::string out;
   RigArguments rig;
   bool events = false;
+  ReadingArguments reading;
   SettingsArguments given;
 };
 
@@ -46,7 +48,7 @@ void runDevices(Session& session, const ResumeArguments& args, const std::string
   PersonAtTable person(session.profile(), args.events, context);
   HandTable::AskPerson ask;
   if (byHand) ask = [&](int position, const Progress& progress) { person.ask(position, progress); };
-  DeviceSetUp devices = RealDevices{file.rig, session.profile(), ask};
+  DeviceSetUp devices = RealDevices{file.rig, session.profile(), ask, args.reading.options()};
   if (simulated) {
     const auto object = std::make_shared<const Mesh>(session.object(context.progress()));
     devices = Simulated{object, session.profile(), {settings.simulation.seed, settings.simulation.ideal}, ask};
@@ -85,6 +87,7 @@ void addResumeCommand(CLI::App& app, CommandContext& context) {
   args->rig.addDevicesTo(*command);
   command->add_flag("--events", args->events,
                     "Say what goes on as JSON lines on standard output, for a program that turns the table");
+  args->reading.addTo(*command);
   args->given.addTo(*command);
   args->given.addShorthand(*command, "--max-views", "max_views");
   args->given.addShorthand(*command, "--tolerance", "planner.tolerance");

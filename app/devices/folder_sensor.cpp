@@ -62,11 +62,22 @@ std::optional<std::string> FolderSensor::notReady() const {
   return std::nullopt;
 }
 
+void FolderSensor::announceMove() {
+  if (options_.existing) return;
+  try {
+    watch_.begin();
+    begun_ = true;
+  } catch (const IoError&) {
+    begun_ = false;  // capture says so, when it is still so then
+  }
+}
+
 RangeImage FolderSensor::capture(const Progress& progress) {
   if (!open_) throw DeviceError(identity() + ": it is not open");
   const auto start = Clock::now();
   auto heard = start;
-  bool begun = options_.existing;
+  bool begun = options_.existing || begun_;
+  begun_ = false;
   while (true) {
     try {
       if (!begun) watch_.begin();

@@ -47,6 +47,7 @@ class FolderSensor final : public RangeSensor {
   /// @throws DeviceError when the folder goes away, none came in time, or a file needs an answer (see readScan), which
   /// is then taken when the next sensor or capture has it; Cancelled
   [[nodiscard]] RangeImage capture(const Progress& progress) override;
+  void announceMove() override;
   void standAt(const ReachedPose& pose) override { pose_ = pose.T_table_scanner; }
 
   /// What the operator says about the files from now on.
@@ -68,6 +69,7 @@ class FolderSensor final : public RangeSensor {
   std::shared_ptr<const ScannerProfile> profile_;
   FolderWatch watch_;
   bool open_ = false;
+  bool begun_ = false;  // files that came since the move began are meant
   std::optional<Pose> pose_;
   std::map<std::uint64_t, std::string> taken_;  // by the hash of the content
 

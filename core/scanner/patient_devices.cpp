@@ -47,6 +47,10 @@ RangeImage PatientSensor::capture(const Progress& progress) {
       "scanning", [sensor = sensor_](const Progress& inner) { return sensor->capture(inner); }, progress);
 }
 
+void PatientSensor::announceMove() {
+  if (!patience_.hanging()) sensor_->announceMove();
+}
+
 void PatientSensor::standAt(const ReachedPose& pose) {
   if (!patience_.hanging()) sensor_->standAt(pose);
 }

@@ -21,6 +21,7 @@ class PatientSensor final : public RangeSensor {
   void close() noexcept override;
   [[nodiscard]] std::optional<std::string> notReady() const override;
   [[nodiscard]] RangeImage capture(const Progress& progress) override;
+  void announceMove() override;
   void standAt(const ReachedPose& pose) override;
 
  private:

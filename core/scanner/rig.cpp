@@ -20,6 +20,7 @@ Rig opened(Rig rig, const Progress& progress) {
 RangeImage scanFrom(const Rig& rig, int position, const Progress& progress) {
   requireReady(*rig.positioner);
   requireReady(*rig.sensor);
+  rig.sensor->announceMove();
   const ReachedPose reached = rig.positioner->moveTo(position, progress.part(0.0, 0.3));
   rig.sensor->standAt(reached);
   RangeImage image = rig.sensor->capture(progress.part(0.3, 1.0));
