@@ -1,6 +1,7 @@
 #include "calibration/screw_fit.h"
 
 #include <Eigen/Cholesky>
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -121,6 +122,30 @@ ScrewFit fitScrew(std::span<const PreparedView> views, const ScrewMotion& start,
     gate = std::max(schedule.lastGate, kShrink * gate);
     progress.checkpoint(std::min(1.0, (round + 1.0) / (schedule.maxIterations + 1.0)));
   }
+}
+
+std::vector<double> turnInformation(const ScrewFit& fit) {
+  const ScrewMotion& motion = fit.motion;
+  const AcrossAxis across(motion.direction);
+  // A turn, and the places that it can be about.
+  Eigen::Matrix<double, 6, 3> motions = Eigen::Matrix<double, 6, 3>::Zero();
+  motions.col(0).head<3>() = motion.direction;
+  motions.col(1).tail<3>() = across.first;
+  motions.col(2).tail<3>() = across.second;
+  std::vector<double> information(motion.angles.size(), 0.0);
+  for (const ViewLink& link : fit.links) {
+    const Pose T_object_to = motion.pose(link.to);
+    const Extent extent = extentOf(link.pairs, T_object_to);
+    const PairTerm term = pairTerm(link.pairs, T_object_to, extent.centre, extent.radius, {fit.sigma, 3.0 * fit.sigma});
+    const Eigen::Matrix3d m = motions.transpose() * term.information * motions;
+    Eigen::Matrix2d places = m.bottomRightCorner<2, 2>();
+    places.diagonal().array() += 1e-12 * (1.0 + places.trace());
+    const Eigen::Vector2d mixed = m.bottomLeftCorner<2, 1>();
+    const double turn = std::max(0.0, m(0, 0) - mixed.dot(places.inverse() * mixed));
+    information[link.from] += turn;
+    information[link.to] += turn;
+  }
+  return information;
 }
 
 double misfit(std::span<const ViewLink> links, double gate) {

@@ -47,6 +47,10 @@ struct ScrewFit {
                                 std::vector<ViewLink> links, const ScrewSchedule& schedule,
                                 const std::optional<ScrewPrior>& prior, const Progress& progress);
 
+/// What the pairs say about how far each view turned, whatever its place [1/rad^2]: a round thing beside the axis has a
+/// place and no turn. One per scan.
+[[nodiscard]] std::vector<double> turnInformation(const ScrewFit& fit);
+
 /// How badly the views of the links lie, 0 to 1: the mean over all points that should have a partner of the squared
 /// distance over that of the gate, 1 beyond it, where the scanner looked through and where normals disagree. Views that
 /// barely overlap lie badly.

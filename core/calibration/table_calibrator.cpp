@@ -114,20 +114,27 @@ double largest(const Eigen::Matrix2d& covariance) {
   return std::sqrt(std::max(0.0, Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(covariance).eigenvalues()[1]));
 }
 
-// A sample that is in many pairs says no more than one.
-Sigmas sigmasOf(const ScrewFit& fit, const std::vector<std::size_t>& samples) {
+// What covariances are multiplied by: a sample that is in many pairs says no more than one.
+double inflation(const ScrewFit& fit, const std::vector<std::size_t>& samples) {
   double pairs = 0.0;
   double independent = 0.0;
   for (const ViewLink& link : fit.links) pairs += static_cast<double>(link.pairs.size());
   for (const std::size_t count : samples) independent += static_cast<double>(count);
+  return kSigmaFactor * kSigmaFactor * std::max(1.0, pairs / std::max(independent, 1.0));
+}
+
+Sigmas sigmasOf(const ScrewFit& fit, const std::vector<std::size_t>& samples) {
   const Eigen::Index size = fit.information.rows();
   const Eigen::LDLT<Eigen::MatrixXd> factors(fit.information);
   if (factors.info() != Eigen::Success || !factors.isPositive() || factors.rcond() < 1e-14) return {};
-  const Eigen::MatrixXd covariance = kSigmaFactor * kSigmaFactor * std::max(1.0, pairs / std::max(independent, 1.0)) *
-                                     factors.solve(Eigen::MatrixXd::Identity(size, size));
+  const Eigen::MatrixXd covariance = inflation(fit, samples) * factors.solve(Eigen::MatrixXd::Identity(size, size));
   if (!covariance.allFinite() || covariance.diagonal().minCoeff() < 0.0) return {};
+  // What the usual scan shows of its turn by itself.
+  std::vector<double> turns = turnInformation(fit);
+  std::sort(turns.begin(), turns.end());
+  const double turn = std::sqrt(inflation(fit, samples) / std::max(turns[turns.size() / 2], 1e-6));
   return {largest(covariance.topLeftCorner<2, 2>()), largest(covariance.block<2, 2>(2, 2)),
-          std::sqrt(covariance.diagonal().tail(size - 4).maxCoeff())};
+          std::max(turn, std::sqrt(covariance.diagonal().tail(size - 4).maxCoeff()))};
 }
 
 // The same turns about the axis in the direction that points up from the table.
@@ -197,6 +204,7 @@ class Calibrator {
   void solve(const Progress& progress);
   [[nodiscard]] bool keepTurning(const std::vector<std::size_t>& samples);
   [[nodiscard]] bool judgeFit(const std::vector<TurnCandidate>& candidates);
+  void judgeRivals(const std::vector<TurnCandidate>& candidates);
   [[nodiscard]] bool judgeSigmas(const ScrewFit& fit, const TurningViews& views);
   void judgeScans(const ScrewFit& fit, double gate);
   void judgeTurns(const ScrewFit& fit);
@@ -237,6 +245,7 @@ void Calibrator::solve(const Progress& progress) {
   ScrewFit fit = refined(whole, first.motion, scale, progress.part(0.8, 0.98));
   fit.motion.point = fit.motion.nearestTo(whole.centre());
   if (!judgeSigmas(fit, whole)) return;
+  judgeRivals(candidates);
   const ScrewMotion motion = upright(fit.motion, table ? table->normal : Vec3::UnitZ(), whole.centre());
   fit.motion = motion;
   judgeScans(fit, kFineGates * fineGate(scale));
@@ -268,13 +277,15 @@ bool Calibrator::judgeFit(const std::vector<TurnCandidate>& candidates) {
     find(CalibrationReason::NoCommonAxis, candidates.empty() ? 1.0 : candidates.front().misfit);
     return false;
   }
+  return true;
+}
+
+void Calibrator::judgeRivals(const std::vector<TurnCandidate>& candidates) {
   const TurnCandidate& best = candidates.front();
   for (std::size_t k = 1; k < candidates.size(); ++k) {
     if (candidates[k].misfit > options_.leastRival * best.misfit) continue;
-    find(CalibrationReason::Rival, candidates[k].turnsPerCount);
-    break;
+    return find(CalibrationReason::Rival, candidates[k].turnsPerCount);
   }
-  return true;
 }
 
 bool Calibrator::judgeSigmas(const ScrewFit& fit, const TurningViews& views) {

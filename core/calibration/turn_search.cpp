@@ -127,7 +127,13 @@ std::vector<TurnCandidate> searchTurns(std::span<const PreparedView> views, std:
     TurnCandidate candidate;
     candidate.fit = fitScrew(views, start, neighbourLinks(views, tableAngles, points), schedule, ScrewPrior(),
                              progress.withThreads(1).part(0.0, 0.0));
-    candidate.turnsPerCount = ratioOf(tableAngles, candidate.fit.motion);
+    ScrewMotion& motion = candidate.fit.motion;
+    // The same turns about the opposite direction.
+    if (motion.direction.dot(direction) < 0.0) {
+      motion.direction = -motion.direction;
+      for (double& angle : motion.angles) angle = -angle;
+    }
+    candidate.turnsPerCount = ratioOf(tableAngles, motion);
     return candidate;
   };
 
