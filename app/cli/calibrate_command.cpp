@@ -134,7 +134,7 @@ void addCalibrateCommand(CLI::App& app, CommandContext& context) {
   command->add_option("--angles", args->angles, "Where the table counted to stand in each of them [degrees]")
       ->type_name("DEG,...")
       ->delimiter(',');
-  args->reading.addForProfile(*command);
+  args->reading.addTo(*command);
   context.addCommonOptions(*command);
   command->callback([args, &context] { run(*args, context); });
 }
