@@ -14,8 +14,8 @@ class RangeSensor : public Device {
   /// @throws DeviceError that says what the operator can do about it, also when it is not ready; Cancelled
   [[nodiscard]] virtual RangeImage capture(const Progress& progress) = 0;
 
-  /// Hears before a move begins that a scan is wanted after it: what a scanner that works by itself delivers from now on
-  /// may be that scan. Without it only what comes once capture() waits.
+  /// Hears before a move begins that a scan is wanted after it: what a scanner that works by itself delivers from now
+  /// on may be that scan. Without it only what comes once capture() waits.
   virtual void announceMove() {}
 
   /// Hears before every capture where the positioner came to stand. Most sensors need not know; what runs a program or

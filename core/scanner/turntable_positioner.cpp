@@ -9,6 +9,9 @@
 namespace vantage {
 namespace {
 
+// Nobody notices that a table has turned by less [deg].
+constexpr double kNoMove = 0.5;
+
 // Of the table's own count per degree that it turns counter-clockwise.
 double countPerDegree(const ScannerProfile& profile) {
   if (!profile.calibration) return 1.0;
@@ -25,13 +28,16 @@ double tableAngleOf(const ScannerProfile& profile, int position, double near) {
 }
 
 TurntablePositioner::TurntablePositioner(std::shared_ptr<const ScannerProfile> profile,
-                                         std::shared_ptr<Turntable> table)
-    : profile_(std::move(profile)), table_(std::move(table)) {}
+                                         std::shared_ptr<Turntable> table, bool alwaysMoves)
+    : profile_(std::move(profile)), table_(std::move(table)), alwaysMoves_(alwaysMoves) {}
 
 ReachedPose TurntablePositioner::moveTo(int position, const Progress& progress) {
   const Pose& nominal = workspacePose(*this, profile_->workspace, position);
   const auto before = table_->angle();
-  const double commanded = tableAngleOf(*profile_, position, before ? before->degrees : 0.0);
+  const double here = before ? before->degrees : 0.0;
+  double commanded = tableAngleOf(*profile_, position, here);
+  if (alwaysMoves_ && std::abs(commanded - here) < kNoMove)
+    commanded += (here > 0.0 ? -1.0 : 1.0) * 360.0 * std::abs(countPerDegree(*profile_));
   where_.reset();
   table_->headFor(position);
   const TableAngle reached = table_->turnTo(commanded, progress);

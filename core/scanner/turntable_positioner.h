@@ -9,11 +9,16 @@ namespace vantage {
 
 /// Brings the scanner to the positions of a workspace by turning a table. Position 0 is where the table counts 0.
 ///
+/// Scanners that begin by themselves once a table has come to rest need a move for every scan: then the table turns
+/// once round where it stands already.
+///
 /// A table that says where it came to stand is believed: the pose is that of its angle, also off the position.
 class TurntablePositioner final : public Positioner {
  public:
   /// @param profile with the table's calibration, when there is one: sense and ratio of its turns are taken from it.
-  TurntablePositioner(std::shared_ptr<const ScannerProfile> profile, std::shared_ptr<Turntable> table);
+  /// @param alwaysMoves also to where it stands already: by a whole turn
+  TurntablePositioner(std::shared_ptr<const ScannerProfile> profile, std::shared_ptr<Turntable> table,
+                      bool alwaysMoves = false);
 
   [[nodiscard]] std::string identity() const override { return table_->identity(); }
   void open(const Progress& progress) override { table_->open(progress); }
@@ -25,6 +30,7 @@ class TurntablePositioner final : public Positioner {
  private:
   std::shared_ptr<const ScannerProfile> profile_;
   std::shared_ptr<Turntable> table_;
+  bool alwaysMoves_;
   std::optional<ReachedPose> where_;
 };
 
