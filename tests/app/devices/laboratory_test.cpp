@@ -173,7 +173,7 @@ TEST_P(Laboratory, AStopIsAnsweredWithinAMoment) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Firmwares, Laboratory, ::testing::Values("grbl", "horus", "marlin", "fabscan", "comxim"),
-                         [](const auto& info) { return info.param; });
+                         [](const auto& firmware) { return firmware.param; });
 
 struct Board {
   std::vector<std::string> options;
