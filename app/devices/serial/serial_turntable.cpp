@@ -109,7 +109,7 @@ void SerialTurntable::guarded(const Progress& progress, const std::function<void
     throw DeviceError(identity() + " " + e.what() + kNewReference);
   } catch (const DeviceError& e) {
     if (!line_->isOpen()) {
-      lose(e.what());
+      lose("was unplugged or switched off; plug it in and connect again");
       throw;
     }
     afterRefusal(pulse);

@@ -246,6 +246,7 @@ TEST(SerialTurntable, ThatIsUnpluggedCanBeConnectedAgain) {
   }
   EXPECT_EQ(table->status().state, TableState::Closed);
   EXPECT_EQ(table->angle(), std::nullopt);
+  expectIn(*table->notReady(), "was unplugged or switched off");
   EXPECT_THROW(table->open({}), DeviceError);
 }
 
