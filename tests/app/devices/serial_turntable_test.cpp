@@ -205,7 +205,7 @@ TEST(SerialTurntable, ArrivesWithoutAnOkAndThoughACommandWasLost) {
   }
 }
 
-TEST(SerialTurntable, StopsWithinAMomentAndSaysWhatIsThenKnown) {
+TEST(SerialTurntable, StopsAndSaysWhatIsThenKnown) {
   for (const Firmware& firmware : kFirmwares) {
     SCOPED_TRACE(firmware.protocol);
     const Bench b = bench(firmware, Mishap::None);
