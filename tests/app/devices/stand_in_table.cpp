@@ -18,7 +18,7 @@
 namespace vantage::testing {
 namespace {
 
-constexpr double kSpeed = 100.0;  // [deg/s]
+constexpr double kSpeed = 300.0;  // [deg/s]
 
 std::string number(double value) {
   char text[32];
@@ -202,7 +202,12 @@ class Marlin final : public Board {
       line_ += c;
       return {};
     }
-    waiting_.push_back(std::exchange(line_, {}));
+    const std::string line = std::exchange(line_, {});
+    if (line == "M410") {  // obeyed at once, whatever waits
+      moving_ = false;
+      to_ = position_;
+    }
+    waiting_.push_back(line);
     return work();
   }
 
@@ -235,10 +240,6 @@ class Marlin final : public Board {
     if (line == "M114")
       return "X:" + number(to_) + " Y:0.00 Z:0.00 E:0.00 Count X:" + std::to_string(std::lround(80 * position_)) +
              " Y:0 Z:0\nok\n";
-    if (line == "M410") {
-      moving_ = false;
-      to_ = position_;
-    }
     if (line.starts_with("G1")) {
       if (moves_ == 1 && o_.mishap == Mishap::Refuses) return "Error:cold\nok\n";
       go(after(line, 'X', 0.0));
