@@ -7,7 +7,9 @@
 #include "base/content_hash.h"
 #include "base/errors.h"
 #include "io/file_bytes.h"
+#include "io/file_kind.h"
 #include "io/profile_scan.h"
+#include "io/text_scanner.h"
 
 namespace vantage {
 namespace {
@@ -23,8 +25,22 @@ std::string secondsText(std::chrono::milliseconds duration) {
   return std::to_string(tenths / 10) + (tenths % 10 == 0 ? "" : "." + std::to_string(tenths % 10)) + " s";
 }
 
-std::uint64_t hashOf(const std::string& path) {
-  const FileBytes bytes(path);
+// Points as text that do not say how many they are end with a line end; a program that was interrupted seldom got
+// there.
+void requireEnd(const FileBytes& bytes) {
+  const std::string_view text = bytes.text();
+  if (text.ends_with('\n') || text.ends_with('\r') || detectFileKind(bytes.path()) != FileKind::TextPoints) return;
+  TextScanner first(text, bytes.path());
+  std::size_t fields = 0;
+  while (fields < 3 && !first.fieldOnLine().empty()) ++fields;
+  if (fields == 1 || fields == 2) return;
+  throw InvalidInput(
+      bytes.path() +
+      ": has no line end behind its last point, so it may have ended early: wait until it is whole, save it "
+      "again, or let it begin with its columns and rows");
+}
+
+std::uint64_t hashOf(const FileBytes& bytes) {
   ContentHash hash;
   hash.add(bytes.text());
   return hash.value();
@@ -107,7 +123,8 @@ std::optional<RangeImage> FolderSensor::takeOne(const Progress& progress) {
 
 std::optional<RangeImage> FolderSensor::take(const WatchedFile& file, const Progress& progress) {
   try {
-    const std::uint64_t hash = hashOf(file.path);
+    const FileBytes bytes(file.path);
+    const std::uint64_t hash = hashOf(bytes);
     const auto same = taken_.find(hash);
     if (same != taken_.end()) {
       if (same->second != file.path)
@@ -115,6 +132,7 @@ std::optional<RangeImage> FolderSensor::take(const WatchedFile& file, const Prog
       watch_.dismiss(file);
       return std::nullopt;
     }
+    requireEnd(bytes);
     RangeImage image = readScan(file.path, *profile_, options_.reading,
                                 progress.part(0.0, 1.0, "reading " + nameOf(file.path)), pose_);
     // What was written to meanwhile is looked at again when it has come to rest.

@@ -112,6 +112,15 @@ TEST_F(FolderSensorTest, WaitsWhileAFileGrows) {
   expectTaken(*waiting, "a.xyz");
 }
 
+TEST_F(FolderSensorTest, DoesNotBelieveALastLineWithoutItsEnd) {
+  const auto waiting = capture();
+  const std::string points = testing::xyzText(scan_, {}, false, false);
+  static_cast<void>(folder_.write("a.xyz", points.substr(0, points.find('\n', points.size() / 2))));
+  EXPECT_TRUE(waiting->says("a.xyz: has no line end"));
+  static_cast<void>(folder_.write("a.xyz", points));
+  expectTaken(*waiting, "a.xyz");
+}
+
 TEST_F(FolderSensorTest, TakesAFileThatIsRenamedIntoPlaceAtOnce) {
   options_.rest = std::chrono::hours(1);
   const auto waiting = capture();

@@ -40,7 +40,7 @@ class ProgramSensorTest : public ::testing::Test {
     made->standAt({1, profile_->workspace.poses[1], PoseSource::Commanded, {}});
     return made;
   }
-  void expectError(const ProgramDevice& program, const std::vector<std::string>& parts) {
+  void expectFailure(const ProgramDevice& program, const std::vector<std::string>& parts) {
     testing::expectError<DeviceError>([&] { static_cast<void>(sensor(program)->capture({})); }, parts);
   }
 
@@ -73,15 +73,15 @@ TEST_F(ProgramSensorTest, TellsTheFormatByContentOrName) {
 }
 
 TEST_F(ProgramSensorTest, SaysWhatWentWrong) {
-  expectError(script("echo no camera >&2; exit 3", {"{file}"}), {"exit code 3", "no camera"});
-  expectError(script("kill -SEGV $$", {"{file}"}), {"exit code 139", "said nothing"});
-  expectError(script("echo all well", {"{file}"}), {"wrote no file", "all well"});
-  expectError(script(": > \"$1\"", {"{file}"}), {"empty file"});
-  expectError(script("echo nonsense > \"$1\"", {"{file}"}), {"cannot be used", "'nonsense"});
-  expectError(script("head -c 2000 \"$1\" > \"$2\"", {ply_, "{file}"}), {"cannot be used", "scan.ply"});
+  expectFailure(script("echo no camera >&2; exit 3", {"{file}"}), {"exit code 3", "no camera"});
+  expectFailure(script("kill -SEGV $$", {"{file}"}), {"exit code 139", "said nothing"});
+  expectFailure(script("echo all well", {"{file}"}), {"wrote no file", "all well"});
+  expectFailure(script(": > \"$1\"", {"{file}"}), {"empty file"});
+  expectFailure(script("echo nonsense > \"$1\"", {"{file}"}), {"cannot be used", "'nonsense"});
+  expectFailure(script("head -c 2000 \"$1\" > \"$2\"", {ply_, "{file}"}), {"cannot be used", "scan.ply"});
   ProgramDevice missing;
   missing.run = {"/no/such/program", "{file}"};
-  expectError(missing, {"/no/such/program", "cannot be started"});
+  expectFailure(missing, {"/no/such/program", "cannot be started"});
 }
 
 TEST_F(ProgramSensorTest, RefusesArgumentsThatMakeNoSense) {
@@ -95,7 +95,7 @@ TEST_F(ProgramSensorTest, EndsAProgramThatHangsWithAllThatItStarted) {
   const std::string alive = folder_.file("alive");
   ProgramDevice hanging = script("(trap '' TERM; sleep 2; : > \"$2\") & echo started; wait", {"{file}", alive});
   hanging.timeout = std::chrono::milliseconds(300);
-  expectError(hanging, {"not ended within 0.3 s", "started"});
+  expectFailure(hanging, {"not ended within 0.3 s", "started"});
   std::this_thread::sleep_for(std::chrono::milliseconds(2500));
   EXPECT_FALSE(fs::exists(alive));
 }

@@ -16,11 +16,11 @@ using testing::WrittenScan;
 
 class ReplaySensorTest : public ::testing::Test {
  protected:
-  // A scan of which the first sample has a range of its own.
-  RangeImage numbered(float range, std::optional<int> position) const {
+  // A scan of one sample, whose range tells it from others.
+  static RangeImage numbered(const ScannerProfile& profile, float range, std::optional<int> position) {
     RangeImage image;
-    image.rays = profile_->rays;
-    image.range = scan_.range;
+    image.rays = profile.rays;
+    image.range.assign(profile.rays->size(), kNoSample);
     image.range[0] = range;
     image.station.position = position;
     return image;
@@ -38,13 +38,16 @@ class ReplaySensorTest : public ::testing::Test {
 
 TEST_F(ReplaySensorTest, GivesTheScansOfASessionByPosition) {
   const std::string path = folder_.file("s.vantage");
+  const ProfileSource source =
+      readProfileSource((testing::sourceFolder() / "resources/scanners/depth_camera.json").string());
+  const auto profile = std::make_shared<const ScannerProfile>(parseProfile(source));
   {
-    Session session = Session::create(path, {});
-    static_cast<void>(session.keepScan(numbered(201.0F, 3)));
-    static_cast<void>(session.keepScan(numbered(202.0F, 5)));
-    static_cast<void>(session.keepScan(numbered(203.0F, 3)));
+    Session session = Session::create(path, {source, {}});
+    static_cast<void>(session.keepScan(numbered(*profile, 201.0F, 3)));
+    static_cast<void>(session.keepScan(numbered(*profile, 202.0F, 5)));
+    static_cast<void>(session.keepScan(numbered(*profile, 203.0F, 3)));
   }
-  ReplaySensor sensor(path, profile_);
+  ReplaySensor sensor(path, profile);
   sensor.open({});
   EXPECT_EQ(takenAt(sensor, 5), 202.0F);
   EXPECT_EQ(takenAt(sensor, 3), 201.0F);
@@ -58,10 +61,9 @@ TEST_F(ReplaySensorTest, GivesTheScansOfASessionByPosition) {
   const RangeImage image = sensor.capture({});
   EXPECT_FALSE(image.station.position);
   EXPECT_EQ(image.poseKnownBy, PoseSource::Unknown);
-  auto other = std::make_shared<ScannerProfile>(testing::cameraProfile());
-  ReplaySensor wrong(path, other);
+  ReplaySensor wrong(path, profile_);
   wrong.open({});
-  expectError<DeviceError>([&] { static_cast<void>(takenAt(wrong, 3)); }, {"another scanner", "40 x 48"});
+  expectError<DeviceError>([&] { static_cast<void>(takenAt(wrong, 3)); }, {"another scanner", "240 x 320"});
 }
 
 TEST_F(ReplaySensorTest, GivesTheFilesOfAFolderByTheNameOrInOrder) {
