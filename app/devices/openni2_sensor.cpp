@@ -105,7 +105,7 @@ class OpenNi2Sensor final : public RangeSensor {
   }
 
   [[nodiscard]] RangeImage capture(const Progress& progress) override {
-    if (const auto reason = notReady()) throw DeviceError(identity() + ": " + *reason);
+    if (!camera_ && !lost_) throw DeviceError(identity() + ": it is not open");
     Trouble trouble = Trouble::None;
     for (int attempt = 0; attempt < 2; ++attempt) {
       if (trouble != Trouble::None || !camera_ || camera_->isGone()) openAnew(progress);
