@@ -18,6 +18,8 @@ struct CameraModel {
   int rows = 0;
   double horizontalFov = 0.0;  ///< h [rad]
   double verticalFov = 0.0;    ///< v [rad]
+
+  bool operator==(const CameraModel&) const = default;
 };
 
 /// The direction of a pixel to the right, up and forward, of length 1 along forward.
