@@ -18,6 +18,8 @@ struct CameraModel {
   int rows = 0;
   double horizontalFov = 0.0;  ///< h [rad]
   double verticalFov = 0.0;    ///< v [rad]
+
+  bool operator==(const CameraModel&) const = default;
 };
 
 /// The direction of a pixel to the right, up and forward, of length 1 along forward.
@@ -34,7 +36,7 @@ struct PixelsOfRays {
 };
 
 /// A ray may look so far beside its pixel [pixels].
-inline constexpr double kMostPixelError = 0.25;
+inline constexpr double kMostPixelError = 0.5;
 
 /// Lays a camera over the rays of a profile, which leave from one point: with as many rows and columns as the camera
 /// has pixels, or one less of each, which leaves out the first row and column. The camera is turned to where its pixels

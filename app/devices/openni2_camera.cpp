@@ -17,8 +17,10 @@ namespace {
 // The library's own words, without line ends.
 std::string lastWords() {
   std::string text = openni::OpenNI::getExtendedError();
-  std::replace(text.begin(), text.end(), '\n', ' ');
+  std::replace_if(
+      text.begin(), text.end(), [](char c) { return c == '\n' || c == '\t'; }, ' ');
   while (!text.empty() && (text.back() == ' ' || text.back() == '.')) text.pop_back();
+  text.erase(0, text.find_first_not_of(' '));
   return text.empty() ? std::string("it does not say why") : text;
 }
 
@@ -112,6 +114,11 @@ const openni::VideoMode* bestMode(const openni::Array<openni::VideoMode>& modes,
   return best;
 }
 
+bool same(const openni::VideoMode& a, const openni::VideoMode& b) {
+  return a.getPixelFormat() == b.getPixelFormat() && a.getResolutionX() == b.getResolutionX() &&
+         a.getResolutionY() == b.getResolutionY() && a.getFps() == b.getFps();
+}
+
 }  // namespace
 
 std::vector<ListedCamera> listedCameras() {
@@ -160,23 +167,20 @@ void OpenNi2Camera::Open::open(const std::string& uri, const SizeTest& sizeWillD
     name += std::string(", serial number ") + serial.data();
   if (!device.hasSensor(openni::SENSOR_DEPTH) || stream.create(device, openni::SENSOR_DEPTH) != openni::STATUS_OK)
     fail("it measures no depth: choose another camera");
-  choose(sizeWillDo);
+  if (sizeWillDo) choose(sizeWillDo);
   measure();
-  if (stream.start() != openni::STATUS_OK)
+  if (sizeWillDo && stream.start() != openni::STATUS_OK)
     fail("it does not begin to measure (" + lastWords() + "): unplug it, plug it in again and repeat");
 }
 
 void OpenNi2Camera::Open::choose(const SizeTest& sizeWillDo) {
-  const openni::VideoMode now = stream.getVideoMode();
-  const SizeTest asNow = [&](int columns, int rows) {
-    return columns == now.getResolutionX() && rows == now.getResolutionY();
-  };
   const auto& modes = stream.getSensorInfo().getSupportedVideoModes();
-  const openni::VideoMode* mode = bestMode(modes, sizeWillDo ? sizeWillDo : asNow);
+  const openni::VideoMode* mode = bestMode(modes, sizeWillDo);
   if (mode == nullptr)
     fail("it has images of " + sizesOf(modes) +
          " pixels, and none that fits the rays of the profile: choose the profile of this camera, or make one from it");
-  if (stream.setVideoMode(*mode) != openni::STATUS_OK)
+  // A stream that is open elsewhere can be shared as it is.
+  if (!same(stream.getVideoMode(), *mode) && stream.setVideoMode(*mode) != openni::STATUS_OK)
     fail("it cannot be set to " + std::to_string(mode->getResolutionX()) + " x " +
          std::to_string(mode->getResolutionY()) + " pixels (" + lastWords() + "): does another program use it?");
   if (stream.isPropertySupported(openni::STREAM_PROPERTY_MIRRORING)) {

@@ -22,13 +22,14 @@ struct ListedCamera {
 /// What is connected now. Starts OpenNI2 the first time, for the rest of the process. @throws DeviceError
 [[nodiscard]] std::vector<ListedCamera> listedCameras();
 
-/// A depth camera of OpenNI2 that is open and sends frames. The only door to the library.
+/// A depth camera of OpenNI2 that is open. The only door to the library.
 class OpenNi2Camera {
  public:
   /// Whether images of a size will do.
   using SizeTest = std::function<bool(int columns, int rows)>;
 
-  /// Opens a camera and lets it send images of a size that will do, of its own size where no test is given.
+  /// Opens a camera and lets it send images of a size that will do. Without a test it is looked at as it is set, and
+  /// sends nothing.
   /// @throws DeviceError when there is no such camera, it has no depth sensor, no field of view or no such images
   explicit OpenNi2Camera(const ListedCamera& camera, const SizeTest& sizeWillDo = {});
   ~OpenNi2Camera();

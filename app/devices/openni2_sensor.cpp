@@ -19,7 +19,7 @@ constexpr std::chrono::milliseconds kTick{100};
 constexpr int kMostRepeats = 3;
 
 // Why frames did not come as they should.
-enum class Trouble { None, Gone, Silent, Repeating, Black };
+enum class Trouble { None, Gone, Away, Silent, Repeating, Black };
 
 std::string sentenceOf(Trouble trouble, const OpenNi2Options& options) {
   const auto seconds = [](std::chrono::milliseconds time) {
@@ -27,6 +27,8 @@ std::string sentenceOf(Trouble trouble, const OpenNi2Options& options) {
   };
   switch (trouble) {
     case Trouble::Gone:
+      return "it was disconnected, came back and was disconnected again: look at its cable, and repeat the scan";
+    case Trouble::Away:
       return "it was disconnected and did not come back within " + seconds(options.comeback) +
              ": plug it in again and repeat the scan";
     case Trouble::Silent:
@@ -82,7 +84,8 @@ class OpenNi2Sensor final : public RangeSensor {
     auto camera = openFirst(
         device_, [&](int columns, int rows) { return sizeFits(columns, rows, *profile_->rays); }, uri);
     try {
-      pixels_ = pixelsOfRays(camera->model(), *profile_);
+      if (camera->model() != model_) pixels_ = pixelsOfRays(camera->model(), *profile_);
+      model_ = camera->model();
     } catch (const InvalidInput& e) {
       throw DeviceError("depth camera " + camera->name() + ": " + e.what());
     }
@@ -105,7 +108,7 @@ class OpenNi2Sensor final : public RangeSensor {
   }
 
   [[nodiscard]] RangeImage capture(const Progress& progress) override {
-    if (const auto reason = notReady()) throw DeviceError(identity() + ": " + *reason);
+    if (!camera_ && !lost_) throw DeviceError(identity() + ": it is not open");
     Trouble trouble = Trouble::None;
     for (int attempt = 0; attempt < 2; ++attempt) {
       if (trouble != Trouble::None || !camera_ || camera_->isGone()) openAnew(progress);
@@ -129,7 +132,7 @@ class OpenNi2Sensor final : public RangeSensor {
         return open(progress);
       } catch (const DeviceError&) {
         if (!gone) throw;
-        if (Clock::now() > deadline) throw DeviceError(identity() + ": " + sentenceOf(Trouble::Gone, options_));
+        if (Clock::now() > deadline) throw DeviceError(identity() + ": " + sentenceOf(Trouble::Away, options_));
       }
       waitATick(progress);
     }
@@ -189,7 +192,8 @@ class OpenNi2Sensor final : public RangeSensor {
   std::string name_;
   std::unique_ptr<OpenNi2Camera> camera_;
   bool lost_ = false;  // it was open, and is to be opened again
-  PixelsOfRays pixels_;
+  CameraModel model_;
+  PixelsOfRays pixels_;  // of the model
 };
 
 }  // namespace

@@ -147,6 +147,17 @@ class VolumeCut {
   double sigma_;
 };
 
+// Which samples lie in the cylinder of a viewing volume, on the table or not far below.
+std::vector<std::uint8_t> near(const RangeImage& image, const ViewingVolume& volume) {
+  std::vector<std::uint8_t> near(image.range.size(), 0);
+  for (std::size_t i = 0; i < near.size(); ++i) {
+    if (!image.valid(i)) continue;
+    const Vec3 p = image.T_table_scanner * image.point(i);
+    near[i] = p.head<2>().norm() <= volume.radius && std::abs(p.z()) <= volume.height ? 1 : 0;
+  }
+  return near;
+}
+
 // Takes out what hangs together with too little.
 void cutIslands(std::vector<CutReason>& reasons, const Neighbourhood& neighbourhood, const CutOptions& options) {
   std::vector<std::uint8_t> seen(reasons.size(), 0);
@@ -209,13 +220,13 @@ CutScene cutSceneOf(const ScannerProfile& profile) {
   return {profile.viewingVolume, profile.breakdownAngle, profile.noise.rangeSigma};
 }
 
-double rangeSigmaOf(const RangeImage& image) {
+double rangeSigmaOf(const RangeImage& image, std::span<const std::uint8_t> counts) {
   // Of a - 2 b + c, by the standard deviation of each; and of the median of the absolute value.
   const double scale = 1.4826 / std::sqrt(6.0);
   std::vector<double> differences;
   const Neighbourhood neighbourhood(image, 1.0, 0.0);
   for (std::size_t i = 0; i < image.range.size(); ++i) {
-    if (!image.valid(i)) continue;
+    if (!image.valid(i) || (!counts.empty() && counts[i] == 0)) continue;
     for (const Step& step : {Step{0, 1}, Step{1, 0}}) {
       const auto before = neighbourhood.ray(i, step, -1);
       const auto after = neighbourhood.ray(i, step, 1);
@@ -231,11 +242,13 @@ double rangeSigmaOf(const RangeImage& image) {
 std::vector<CutReason> cutOf(const RangeImage& image, const ScanCut& cut) {
   validate(image);
   const CutOptions& options = cut.options;
-  const double sigma = std::max(cut.scene.rangeSigma, rangeSigmaOf(image));
-  const Neighbourhood neighbourhood(image, options.flyingJump / std::cos(cut.scene.breakdownAngle),
-                                    kJumpSigmas * sigma);
   const bool hasVolume = options.volume && cut.scene.volume && isPlaced(image);
   const ViewingVolume volume = cut.scene.volume.value_or(ViewingVolume{});
+  // A wall far behind is noisier than what stands on the table.
+  const double sigma = std::max(cut.scene.rangeSigma,
+                                rangeSigmaOf(image, hasVolume ? near(image, volume) : std::vector<std::uint8_t>{}));
+  const Neighbourhood neighbourhood(image, options.flyingJump / std::cos(cut.scene.breakdownAngle),
+                                    kJumpSigmas * sigma);
   const VolumeCut volumeCut(image, volume, options, sigma);
 
   std::vector<CutReason> reasons(image.range.size(), CutReason::NoSample);

@@ -66,7 +66,8 @@ struct ScanCut {
 
 /// Standard deviation of the samples along their rays [mm], as the second differences of neighbours tell: the median of
 /// the grid, so that edges do not count. 0 without three samples in a row.
-[[nodiscard]] double rangeSigmaOf(const RangeImage& image);
+/// @param counts per ray whether its sample counts; empty: all do
+[[nodiscard]] double rangeSigmaOf(const RangeImage& image, std::span<const std::uint8_t> counts = {});
 
 /// Why every ray's sample is not used, in this order: a sample outside of the viewing volume is one whatever else it
 /// is. The volume stands on the table plane z = 0 about the z axis of the table's frame, see

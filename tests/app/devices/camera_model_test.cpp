@@ -57,7 +57,7 @@ TEST(CameraModel, TheProfileOfACameraHasItsPixelsAsRays) {
   }
 }
 
-TEST(CameraModel, AProfileOfAsManyRaysFitsToWithinAQuarterOfAPixel) {
+TEST(CameraModel, AProfileOfAsManyRaysFitsToWithinHalfAPixel) {
   const PixelsOfRays pixels = pixelsOfRays(kCamera, pinholeProfile(640, 480, 58.0, 45.2));
   EXPECT_GT(pixels.worst, 0.01);
   EXPECT_LE(pixels.worst, kMostPixelError);
