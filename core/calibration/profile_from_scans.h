@@ -6,6 +6,7 @@
 
 #include "base/progress.h"
 #include "scanner/profile.h"
+#include "scanner/range_image.h"
 
 namespace vantage {
 
