@@ -8,6 +8,7 @@
 
 #include "base/errors.h"
 #include "calibration/commanded_turns.h"
+#include "calibration/rough_axis.h"
 #include "calibration/table_plane.h"
 #include "calibration/turning_views.h"
 
@@ -16,7 +17,6 @@ namespace {
 
 constexpr std::size_t kFewestScans = 3;
 constexpr std::size_t kMostScans = 12;
-constexpr double kRoughLean = radians(30.0);
 constexpr double kPlaneLean = radians(6.0);
 constexpr double kMinOverlap = 0.05;
 constexpr std::size_t kFinePoints = 60000;
@@ -48,32 +48,6 @@ std::vector<double> anglesOf(std::span<const CalibrationScan> scans) {
 double spanOf(const std::vector<double>& values) {
   const auto [least, most] = std::minmax_element(values.begin(), values.end());
   return *most - *least;
-}
-
-struct RoughAxis {
-  Vec3 point;
-  Vec3 direction;
-};
-
-// Where the axis may be, the likeliest first: where the profile has it, upright on the table top; through the middle of
-// what turns, and behind that, as a scanner sees but its front.
-std::vector<RoughAxis> roughAxes(const std::optional<PlaneFit>& table, const Vec3& centre, const RayGrid& rays,
-                                 double extent) {
-  const Vec3 up = table ? table->normal : Vec3::UnitZ();
-  const Vec3 sight = (centre - rays.rayAt({0.5 * (rays.rows() - 1), 0.5 * (rays.columns() - 1)}).origin).normalized();
-  std::vector<RoughAxis> axes{{Vec3::Zero(), up}};
-  for (const double behind : {0.2, 0.0, 0.4}) axes.push_back({centre + behind * extent * sight, up});
-  if (table) return axes;
-  // The frame of the scanner may lie anyhow: upright is then along the columns of its grid.
-  const auto at = [&](double row) { return rays.rayAt({row * (rays.rows() - 1), 0.5 * (rays.columns() - 1)}); };
-  const double depth = (centre - at(0.5).origin).norm();
-  const Vec3 across = at(0.0).origin + depth * at(0.0).direction - at(1.0).origin - depth * at(1.0).direction;
-  const Vec3 alongColumns = across.dot(Vec3::UnitZ()) < 0.0 ? -across.normalized() : across.normalized();
-  if (alongColumns.dot(up) < std::cos(kRoughLean)) {
-    axes.push_back({centre + 0.2 * extent * sight, across.normalized()});
-    axes.push_back({centre, across.normalized()});
-  }
-  return axes;
 }
 
 std::vector<TurnCandidate> search(const TurningViews& views, std::span<const CalibrationScan> scans,
@@ -209,6 +183,7 @@ class Calibrator {
   void judgeScans(const ScrewFit& fit, double gate);
   void judgeTurns(const ScrewFit& fit);
   void judgeResiduals(const ScrewFit& fit, const RegistrationScale& scale);
+  [[nodiscard]] Vec3 upSide(const ScrewMotion& motion, std::span<const std::vector<SampleMotion>> motions) const;
   void placeTable(const ScrewMotion& motion, const TurningViews& views,
                   std::span<const std::vector<SampleMotion>> motions);
 
@@ -225,7 +200,7 @@ void Calibrator::solve(const Progress& progress) {
     return find(CalibrationReason::TooSmallTurn, commanded);
   auto motions = sampleMotions(scans_);
   TablePlaneSearch rough;
-  rough.mostLean = kRoughLean;
+  rough.mostLean = kRoughAxisLean;
   const auto table = findTablePlane(scans_, motions, rough);
   progress.checkpoint(0.05);
   TurningViews moving(scans_, motions, table, profile_.breakdownAngle, progress.part(0.05, 0.1));
@@ -242,16 +217,29 @@ void Calibrator::solve(const Progress& progress) {
   if (!judgeFit(candidates)) return;
   const ScrewFit first = refined(moving, candidates.front().fit.motion, scale, progress.part(0.6, 0.7));
   const TurningViews whole = moving.withRound(first.motion, kFineGates * fineGate(scale), progress.part(0.7, 0.8));
-  ScrewFit fit = refined(whole, first.motion, scale, progress.part(0.8, 0.98));
-  fit.motion.point = fit.motion.nearestTo(whole.centre());
+  // What is sure of the axis counts where the object is.
+  ScrewMotion start = first.motion;
+  start.point = start.nearestTo(whole.centre());
+  ScrewFit fit = refined(whole, start, scale, progress.part(0.8, 0.98));
   if (!judgeSigmas(fit, whole)) return;
   judgeRivals(candidates);
-  const ScrewMotion motion = upright(fit.motion, table ? table->normal : Vec3::UnitZ(), whole.centre());
+  const ScrewMotion motion = upright(fit.motion, table ? table->normal : upSide(fit.motion, motions), whole.centre());
   fit.motion = motion;
   judgeScans(fit, kFineGates * fineGate(scale));
   judgeTurns(fit);
   judgeResiduals(fit, scale);
   placeTable(motion, whole, motions);
+}
+
+// The side of the table that the object is on, where the table top was not seen in the profile's frame: as samples of
+// the top tell, else as z or the rows of the grid do.
+Vec3 Calibrator::upSide(const ScrewMotion& motion, std::span<const std::vector<SampleMotion>> motions) const {
+  for (const double side : {1.0, -1.0}) {
+    const TablePlaneSearch near{side * motion.direction, kPlaneLean, motion.point, 1.2 * profile_.viewingVolume.radius};
+    if (findTablePlane(scans_, motions, near)) return near.normal;
+  }
+  if (std::abs(motion.direction.z()) > 0.5) return Vec3::UnitZ();
+  return upAlongColumns(*scans_.front().image->rays, motion.point);
 }
 
 // Keeps the scans that show enough of what turns.
@@ -364,7 +352,8 @@ void Calibrator::placeTable(const ScrewMotion& motion, const TurningViews& views
   find(CalibrationReason::TableNotSeen);
   // The profile's table plane is z = 0; nothing of the object is below the table.
   double height = lowestPoint(views, motion);
-  if (motion.direction.z() > std::cos(kRoughLean)) height = std::min(height, -motion.point.z() / motion.direction.z());
+  if (motion.direction.z() > std::cos(kRoughAxisLean))
+    height = std::min(height, -motion.point.z() / motion.direction.z());
   calibration.planeNormal = motion.direction;
   calibration.planeOffset = -motion.direction.dot(motion.point) - height;
 }

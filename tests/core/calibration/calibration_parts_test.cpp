@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/errors.h"
@@ -7,6 +8,7 @@
 #include "calibration/calibration_scans.h"
 #include "calibration/commanded_turns.h"
 #include "calibration/plane_fit.h"
+#include "calibration/rough_axis.h"
 #include "calibration/sample_motion.h"
 #include "calibration/screw_fit.h"
 #include "calibration/screw_motion.h"
@@ -87,6 +89,24 @@ TEST(ScrewMotion, VectorsAcrossAnAxisMakeAFrame) {
   const Vec3 direction = Vec3(1, 2, 3).normalized();
   const AcrossAxis across(direction);
   EXPECT_TRUE(across.first.cross(across.second).isApprox(direction));
+}
+
+TEST(RoughAxis, BeginsWithTheProfileAndTriesColumnsOfAGridThatLies) {
+  const auto standing = cameraOverTable();
+  EXPECT_GT(upAlongColumns(*standing->rays, Vec3(0, 0, 60)).z(), 0.8);
+  const auto axes = roughAxes({}, Vec3(0, 0, 60), *standing->rays, 80.0);
+  ASSERT_FALSE(axes.empty());
+  EXPECT_EQ(axes.front().point, Vec3::Zero());
+  EXPECT_EQ(axes.front().direction, Vec3::UnitZ());
+  EXPECT_TRUE(std::all_of(axes.begin(), axes.end(), [](const RoughAxis& a) { return a.direction == Vec3::UnitZ(); }));
+  // x right, y down, z forward.
+  std::vector<RangingRay> rays;
+  for (const double y : {-0.2, 0.2})
+    for (const double x : {-0.2, 0.2}) rays.push_back({Vec3::Zero(), Vec3(x, y, 1.0).normalized()});
+  const RayGrid lying(2, 2, std::move(rays), {}, 0);
+  const auto others = roughAxes({}, Vec3(0, 0, 400), lying, 80.0);
+  EXPECT_TRUE(std::any_of(others.begin(), others.end(),
+                          [](const RoughAxis& a) { return a.direction.isApprox(-Vec3::UnitY(), 1e-9); }));
 }
 
 TEST(CalibrationAngles, GrowFromZero) {
