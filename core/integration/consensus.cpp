@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "base/parallel.h"
@@ -82,9 +84,12 @@ void averagePositions(Model& model, std::span<const Witness> witnesses, const Pr
 
 Model applyConsensus(const Model& model, std::span<const View> views, const ConsensusOptions& options,
                      const Progress& progress) {
+  std::vector<std::optional<Witness>> slots(views.size());
+  parallelChunks(views.size(), 1, progress.part(0.0, 0.0),
+                 [&](std::size_t i, std::size_t) { slots[i].emplace(views[i], options); });
   std::vector<Witness> witnesses;
   witnesses.reserve(views.size());
-  for (const View& view : views) witnesses.emplace_back(view, options);
+  for (auto& slot : slots) witnesses.push_back(*std::move(slot));
   Model result = model;
   for (int pass = 0; pass < options.passes; ++pass)
     averagePositions(

@@ -7,14 +7,35 @@
 #include "geometry/decimation.h"
 #include "geometry/measures.h"
 #include "geometry/mesh_topology.h"
+#include "geometry/vertex_clustering.h"
 
 namespace vantage {
-Mesh tracedMesh(const Mesh& mesh, std::size_t mostTriangles, double maxError, const Progress& progress) {
+namespace {
+
+// Collapsing the edges of more triangles than this one after the other takes seconds.
+constexpr std::size_t kManyTriangles = 400'000;
+// Clusters leave room for the triangles at the border, which stay.
+constexpr double kClusteredShare = 0.5;
+// A surface that is bent over less than this many errors is collapsed edge by edge [errors].
+constexpr double kCubePerError = 8.0;
+
+Mesh collapsed(const Mesh& mesh, std::size_t mostTriangles, double maxError, const Progress& progress) {
   if (mesh.triangles.size() <= mostTriangles) return mesh;
   DecimationOptions decimation;
   decimation.targetTriangles = mostTriangles / 2;
   decimation.maxError = maxError;
   return decimate(mesh, decimation, progress);
+}
+
+}  // namespace
+
+Mesh tracedMesh(const Mesh& mesh, std::size_t mostTriangles, double maxError, const Progress& progress) {
+  if (mesh.triangles.size() <= std::max(kManyTriangles, mostTriangles))
+    return collapsed(mesh, mostTriangles, maxError, progress);
+  const auto wanted = static_cast<std::size_t>(kClusteredShare * static_cast<double>(mostTriangles));
+  const double cube = std::min(cubeFor(area(mesh), wanted), kCubePerError * maxError);
+  if (!(cube > 0.0)) return collapsed(mesh, mostTriangles, maxError, progress);
+  return collapsed(clustered(mesh, cube, progress.part(0.0, 0.5)), mostTriangles, maxError, progress.part(0.5, 1.0));
 }
 
 Mesh withoutBorder(const Mesh& mesh, int rings) {

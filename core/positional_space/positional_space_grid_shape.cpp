@@ -76,11 +76,13 @@ struct Extent {
 Extent crossingHeights(const ScannerProfile& profile, const std::vector<Pose>& poses, double radius,
                        const Progress& progress) {
   std::vector<Extent> extents(poses.size());
+  const auto rays = usefulRays(profile.rays);
   parallelChunks(poses.size(), 1, progress, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      for (std::size_t k = 0; k < profile.rays->size(); ++k) {
-        const Vec3 p = poses[i] * profile.rays->ray(k).origin;
-        const Vec3 d = -(poses[i].linear() * profile.rays->ray(k).direction);
+      for (std::size_t k = 0; k < rays->size(); ++k) {
+        const RangingRay ray = rays->ray(k);
+        const Vec3 p = poses[i] * ray.origin;
+        const Vec3 d = -(poses[i].linear() * ray.direction);
         if (!meets(profile.viewingVolume, p, d)) continue;
         const double a = d.head<2>().squaredNorm();
         const double b = p.head<2>().dot(d.head<2>());
@@ -200,7 +202,7 @@ PositionalSpaceGrid makePositionalSpaceGrid(const ScannerProfile& profile, const
   PositionalSpaceShape shape = surfaceShape(profile, poses, progress);
   shape.firstColumn = kFirstColumn * 2.0 * kPi / shape.columns;
   progress.checkpoint(1.0);
-  const RayFan fan(*profile.rays, 4.0 * shape.radius);
+  const RayFan fan(profile.rays, 4.0 * shape.radius);
   progress.checkpoint(1.0);
   const FanWidths widths = fanWidths(fan, shape, poses);
   const double narrowest = std::min(widths.across, widths.up);

@@ -1,7 +1,10 @@
 #include "positional_space/ray_fan.h"
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
+
+#include "scanner/thinning.h"
 
 namespace vantage {
 namespace {
@@ -10,6 +13,16 @@ namespace {
 constexpr double kLeastNormalPart = 0.02;
 // Distance of the neighbours that the fan is taken from [grid cells].
 constexpr double kHalfStep = 0.5;
+
+// A scanner with more rays than the first is thinned until no more than the second are left.
+constexpr std::size_t kManyRays = 1'000'000;
+constexpr double kEnoughRays = 250'000.0;
+
+int stepOf(const RayGrid& rays) {
+  if (rays.size() <= kManyRays) return 1;
+  const double step = std::ceil(std::sqrt(static_cast<double>(rays.size()) / kEnoughRays));
+  return std::max(1, std::min({static_cast<int>(step), rays.rows() - 1, rays.columns() - 1}));
+}
 
 RayGrid setBack(const RayGrid& rays, double reach) {
   std::vector<RangingRay> moved;
@@ -35,7 +48,12 @@ Crossing cross(const SurfaceCell& cell, const RangingRay& ray, const Pose& T_obj
 
 }  // namespace
 
-RayFan::RayFan(const RayGrid& rays, double reach) : rays_(setBack(rays, reach)), reach_(reach) {}
+std::shared_ptr<const RayGrid> usefulRays(const std::shared_ptr<const RayGrid>& rays) {
+  return thinnedRays(rays, stepOf(*rays));
+}
+
+RayFan::RayFan(const std::shared_ptr<const RayGrid>& rays, double reach)
+    : whole_(rays), step_(stepOf(*rays)), rays_(setBack(*thinnedRays(rays, step_), reach)), reach_(reach) {}
 
 std::optional<FanRay> RayFan::through(const SurfaceCell& cell, const Pose& T_object_scanner,
                                       std::optional<GridPosition>& hint) const {
@@ -49,7 +67,7 @@ std::optional<FanRay> RayFan::through(const SurfaceCell& cell, const Pose& T_obj
   if (fan.direction.dot(cell.normal) < kLeastNormalPart) return std::nullopt;
   fan.slope = cross(cell, ray, T_object_scanner).slope;
   fan.sourceDistance = (p - ray.origin).dot(ray.direction) - reach_;
-  fan.sample = rays_.nearest(*found);
+  fan.sample = rayBeforeThinning(*whole_, step_, rays_.nearest(*found));
 
   auto neighbour = [&](double rows, double columns) {
     return cross(cell, rays_.rayAt({found->row + rows, found->column + columns}), T_object_scanner);

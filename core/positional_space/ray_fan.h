@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 
 #include "positional_space/positional_space_grid.h"
@@ -17,11 +18,17 @@ struct FanRay {
   std::size_t sample = 0;                         ///< the nearest ranging ray
 };
 
-/// Interpolates a scanner's ranging rays where they cross positional space, even behind the scanner's head.
+/// The rays of a scanner, or of one with more than a million every n-th row and column, so that some 250,000 are left.
+[[nodiscard]] std::shared_ptr<const RayGrid> usefulRays(const std::shared_ptr<const RayGrid>& rays);
+
+/// Interpolates a scanner's ranging rays where they cross positional space, even behind the scanner's head. Of a
+/// scanner with more than a million rays every n-th row and column is interpolated, so many that some 250,000 rays are
+/// left: a cell of positional space, of which there are no more than 200,000 on its surface, is crossed by many of the
+/// others.
 class RayFan {
  public:
   /// @param reach [mm] rays are followed this far behind their origins.
-  RayFan(const RayGrid& rays, double reach);
+  RayFan(const std::shared_ptr<const RayGrid>& rays, double reach);
 
   /// The ray through the middle of a cell; none outside of the scanner's field of view and where rays only enter the
   /// far side or graze. @param hint a place to begin at; becomes the place found.
@@ -29,6 +36,8 @@ class RayFan {
                                               std::optional<GridPosition>& hint) const;
 
  private:
+  std::shared_ptr<const RayGrid> whole_;
+  int step_;      // of the rows and columns of `whole_` that are interpolated
   RayGrid rays_;  // origins set back by reach_
   double reach_;
 };

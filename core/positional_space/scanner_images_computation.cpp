@@ -213,7 +213,7 @@ ScannerImages computeScannerImages(const ScannerProfile& profile, const Progress
   const PositionalSpaceGrid grid = makePositionalSpaceGrid(profile, progress.part(0.0, 0.1));
   const Periods periods = periodsOf(profile.workspace, grid.columns());
   progress.checkpoint(0.1);
-  const RayFan fan(*profile.rays, 4.0 * grid.shape().radius);
+  const RayFan fan(profile.rays, 4.0 * grid.shape().radius);
   progress.checkpoint(0.1);
   std::vector<std::vector<Entry>> images(periods.images(static_cast<int>(profile.workspace.size())));
   parallelChunks(images.size(), 1, progress.part(0.1, 0.9), [&](std::size_t begin, std::size_t end) {

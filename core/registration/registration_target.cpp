@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "base/errors.h"
-#include "geometry/mesh_topology.h"
+#include "geometry/mesh_border.h"
 
 namespace vantage {
 namespace {
@@ -44,7 +44,8 @@ RegistrationTarget::RegistrationTarget(const Mesh& model, std::span<const float>
   if (!confidence.empty() && confidence.size() != model.vertices.size())
     throw InvalidInput(std::to_string(confidence.size()) + " confidences given for a model of " +
                        std::to_string(model.vertices.size()) + " vertices");
-  surface_ = pointsInside(model, smoothedNormals(model), MeshTopology(model).onBoundary(), confidence);
+  validate(model);
+  surface_ = pointsInside(model, smoothedNormals(model), borderVertices(model), confidence);
 }
 
 RegistrationTarget::RegistrationTarget(std::span<const View> views) {

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "geometry/mesh_topology.h"
+#include "geometry/mesh_border.h"
 #include "scanner/sample_spacing.h"
 
 namespace vantage {
@@ -144,7 +144,7 @@ ViewMesh triangulate(const RangeImage& image, const TriangulationOptions& option
     const double cosine = -view.normals[v].dot(image.rays->ray(view.sample[v]).direction);
     view.confidence[v] = static_cast<float>(std::clamp(cosine, kMinConfidence, 1.0));
   }
-  view.onBoundary = MeshTopology(view.mesh).onBoundary();
+  view.onBoundary = borderVertices(view.mesh);
   view.spacing = medianSpacing(image, surface);
   return view;
 }

@@ -1,12 +1,15 @@
 #include "void_space/void_patch_builder.h"
 
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include "base/errors.h"
 #include "base/parallel.h"
+#include "geometry/mesh_border.h"
 #include "geometry/mesh_topology.h"
 #include "void_space/edge_classification.h"
 
@@ -19,6 +22,7 @@ void validate(const Model& model, const RayIndex& rays, const VoidOptions& optio
   if (!(options.breakdownAngle > 0.0 && options.breakdownAngle < 0.5 * kPi))
     throw InvalidInput("the breakdown angle of " + std::to_string(degrees(options.breakdownAngle)) +
                        " degrees is not between 0 and 90");
+  vantage::validate(model.mesh);
   const std::size_t vertices = model.mesh.vertices.size();
   if (model.vertexView.size() != vertices || model.vertexSample.size() != vertices ||
       model.confidence.size() != vertices || model.triangleView.size() != model.mesh.triangles.size())
@@ -32,6 +36,51 @@ void validate(const Model& model, const RayIndex& rays, const VoidOptions& optio
                          ", which does not exist among the " + std::to_string(rays.views()) + " views");
 }
 
+// The topology of a manifold mesh near its border only: large models have little border. Vertices keep their numbers.
+class BorderTopology {
+ public:
+  // Knows the triangles around vertices up to `rings` edges from the border.
+  BorderTopology(const Mesh& mesh, int rings) : border_(borderVertices(mesh)), near_(nearBorder(mesh, border_, rings)) {
+    Mesh part;
+    part.vertices = mesh.vertices;
+    part.triangles.reserve(near_.size());
+    for (const std::uint32_t t : near_) part.triangles.push_back(mesh.triangles[t]);
+    topology_.emplace(part);
+    for (const BoundaryEdge& edge : topology_->boundaryEdges())
+      if (border_[edge.from] != 0 && border_[edge.to] != 0)
+        edges_.push_back({edge.from, edge.to, near_[edge.triangle]});
+  }
+
+  // In order of triangle and edge.
+  [[nodiscard]] const std::vector<BoundaryEdge>& edges() const { return edges_; }
+
+  template <typename Visit>
+  void visitTriangles(std::uint32_t vertex, const Visit& visit) const {
+    for (const std::uint32_t t : topology_->trianglesOf(vertex)) visit(near_[t]);
+  }
+
+ private:
+  // The triangles that touch a vertex so near, ascending.
+  static std::vector<std::uint32_t> nearBorder(const Mesh& mesh, std::vector<std::uint8_t> reached, int rings) {
+    const auto touches = [&](const Triangle& t) { return (reached[t[0]] | reached[t[1]] | reached[t[2]]) != 0; };
+    for (int ring = 0; ring < rings; ++ring) {
+      std::vector<std::uint8_t> grown = reached;
+      for (const Triangle& t : mesh.triangles)
+        if (touches(t)) grown[t[0]] = grown[t[1]] = grown[t[2]] = 1;
+      reached = std::move(grown);
+    }
+    std::vector<std::uint32_t> near;
+    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
+      if (touches(mesh.triangles[t])) near.push_back(t);
+    return near;
+  }
+
+  std::vector<std::uint8_t> border_;
+  std::vector<std::uint32_t> near_;
+  std::optional<MeshTopology> topology_;
+  std::vector<BoundaryEdge> edges_;
+};
+
 // Builds patches one by one. Const and shared by threads; what speeds up the search is kept by the caller.
 class PatchBuilder {
  public:
@@ -40,12 +89,12 @@ class PatchBuilder {
   PatchBuilder(const Model& model, const RayIndex& rays, const VoidOptions& options)
       : model_(model),
         options_(options),
-        topology_(model.mesh),
+        topology_(model.mesh, std::max(0, options.normalRings)),
         caster_(model.mesh),
         rays_(rays),
         classifier_(caster_, rays_, {options.breakdownAngle, options.jumpFactor, options.shadowReach}) {}
 
-  [[nodiscard]] const std::vector<BoundaryEdge>& edges() const { return topology_.boundaryEdges(); }
+  [[nodiscard]] const std::vector<BoundaryEdge>& edges() const { return topology_.edges(); }
 
   // The patch of an edge; without width for an edge without length.
   [[nodiscard]] VoidPatch patch(const BoundaryEdge& edge, Hints& hints) const {
@@ -118,7 +167,7 @@ class PatchBuilder {
     for (int ring = 0; ring < options_.normalRings; ++ring) {
       triangles.clear();
       for (const std::uint32_t v : vertices)
-        for (const std::uint32_t t : topology_.trianglesOf(v)) triangles.push_back(t);
+        topology_.visitTriangles(v, [&](std::uint32_t t) { triangles.push_back(t); });
       makeUnique(triangles);
       for (const std::uint32_t t : triangles)
         for (const std::uint32_t v : mesh.triangles[t]) vertices.push_back(v);
@@ -155,7 +204,7 @@ class PatchBuilder {
 
   const Model& model_;
   const VoidOptions& options_;
-  MeshTopology topology_;
+  BorderTopology topology_;
   RayCaster caster_;
   const RayIndex& rays_;
   EdgeClassifier classifier_;

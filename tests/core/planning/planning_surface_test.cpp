@@ -16,6 +16,14 @@ TEST(TracedMesh, IsTheModelUnlessThatIsLarge) {
   EXPECT_NEAR(area(coarse), area(sphere), 0.05 * area(sphere));
 }
 
+TEST(TracedMesh, OfAVeryLargeModelIsClusteredAndAsFine) {
+  const Mesh sphere = testing::makeSphere(50.0, 520);
+  const Mesh coarse = tracedMesh(sphere, 100'000, 1.0, {});
+  EXPECT_LE(coarse.triangles.size(), 100'000U);
+  EXPECT_GT(coarse.triangles.size(), 40'000U);
+  EXPECT_NEAR(area(coarse), area(sphere), 0.01 * area(sphere));
+}
+
 TEST(WithoutBorder, LeavesOutThreeRingsOfTriangles) {
   EXPECT_DOUBLE_EQ(area(withoutBorder(testing::makeGrid(10, 10, 1.0), 2)), 16.0);  // 4 x 4 squares in the middle
   const Mesh sphere = testing::makeSphere(50.0, 20);
