@@ -28,7 +28,10 @@ QString pageOf(const Session& session, const AcquisitionState& state) {
 }  // namespace
 
 SessionController::SessionController(JobRunner& jobs, std::string cacheFolder, DeviceFactory devices, QObject* parent)
-    : QObject(parent), jobs_(jobs), cacheFolder_(std::move(cacheFolder)), devices_(std::move(devices)) {}
+    : QObject(parent),
+      jobs_(jobs),
+      cacheFolder_(std::move(cacheFolder)),
+      devices_(std::make_shared<RigKeeper>(std::move(devices))) {}
 
 // What runs refers to this.
 SessionController::~SessionController() {
@@ -87,9 +90,8 @@ void SessionController::startTestTurn() {
   const int second = (first + std::max(1, setUp_->profile->workspace.steps / 12)) % std::max(1, positions);
   start<TestTurn>(
       Activity::Testing, tr("Test turn"),
-      [setUp = setUp_, factory = devices_, first, second](const Progress& p) {
-        return testTurn(factory.open(*setUp->devices, 0, p), *setUp->profile, first, second, setUp->choice.settings.cut,
-                        p);
+      [setUp = setUp_, devices = devices_, first, second](const Progress& p) {
+        return testTurn(devices->open(setUp, 0, {}, p), *setUp->profile, first, second, setUp->choice.settings.cut, p);
       },
       [this](TestTurn result) {
         testTurn_ = std::move(result);
@@ -184,11 +186,11 @@ void SessionController::scanInBackground(bool untilTheEnd) {
   };
   start<bool>(
       Activity::Running, untilTheEnd ? tr("Acquiring") : tr("Scanning"),
-      [this, session = session_, setUp = setUp_, factory = devices_, mode = mode(), pause = pause_, begun,
+      [this, session = session_, setUp = setUp_, devices = devices_, mode = mode(), pause = pause_, begun,
        untilTheEnd](const Progress& progress) mutable {
         const bool isNew = !session;
         if (isNew) session = createSession(*setUp);
-        const Rig rig = factory.open(*setUp->devices, session->scanCount(), progress);
+        const Rig rig = devices->open(setUp, session->scanCount(), vantage::tablePosition(*session), progress);
         Acquisition acquisition(*session, {rig, setUp->images}, publisher(session));
         if (isNew) {
           if (mode != acquisition.state()->mode) acquisition.carryOut(ChangeMode{mode});

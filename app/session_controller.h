@@ -17,6 +17,7 @@
 #include "permissions.h"
 #include "planning/explanation.h"
 #include "report/html_report.h"
+#include "rig_keeper.h"
 #include "session/session.h"
 #include "set_up.h"
 #include "turn_advice.h"
@@ -155,7 +156,7 @@ class SessionController final : public QObject {
 
   JobRunner& jobs_;
   std::string cacheFolder_;
-  DeviceFactory devices_;
+  std::shared_ptr<RigKeeper> devices_;
   SetUpChoice choice_;
   SharedSetUp setUp_;
   std::optional<TestTurn> testTurn_;

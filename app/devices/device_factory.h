@@ -30,6 +30,7 @@ struct RealDevices {
   std::shared_ptr<const ScannerProfile> profile;
   HandTable::AskPerson ask;    ///< for a table that a person turns
   ScanReadingOptions reading;  ///< what is said about files that come as scans
+  int standsAt = 0;            ///< position at which the table stands when it is opened
 };
 
 /// What scans are taken with, by kind.

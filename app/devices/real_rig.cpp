@@ -51,7 +51,8 @@ struct TableMaking {
   template <typename Device>
   std::shared_ptr<Positioner> operator()(const Device& device) const {
     const bool startsByItself = std::holds_alternative<FolderDevice>(setUp.rig.sensor);
-    return std::make_shared<TurntablePositioner>(setUp.profile, turntableOf(TableDevice(device)), startsByItself);
+    return std::make_shared<TurntablePositioner>(setUp.profile, turntableOf(TableDevice(device)),
+                                                 TurntableUse{setUp.standsAt, startsByItself});
   }
 };
 

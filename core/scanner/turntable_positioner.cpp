@@ -28,16 +28,23 @@ double tableAngleOf(const ScannerProfile& profile, int position, double near) {
 }
 
 TurntablePositioner::TurntablePositioner(std::shared_ptr<const ScannerProfile> profile,
-                                         std::shared_ptr<Turntable> table, bool alwaysMoves)
-    : profile_(std::move(profile)), table_(std::move(table)), alwaysMoves_(alwaysMoves) {}
+                                         std::shared_ptr<Turntable> table, const TurntableUse& use)
+    : profile_(std::move(profile)), table_(std::move(table)), use_(use) {}
+
+void TurntablePositioner::open(const Progress& progress) {
+  table_->open(progress);
+  if (where_) return;
+  const auto now = table_->angle();
+  offset_ = (now ? now->degrees : 0.0) - tableAngleOf(*profile_, use_.standsAt, 0.0);
+}
 
 ReachedPose TurntablePositioner::moveTo(int position, const Progress& progress) {
   const Pose& nominal = workspacePose(*this, profile_->workspace, position);
   const auto before = table_->angle();
-  const double here = before ? before->degrees : 0.0;
-  double commanded = tableAngleOf(*profile_, position, here);
-  if (alwaysMoves_ && std::abs(commanded - here) < kNoMove)
-    commanded += (here > 0.0 ? -1.0 : 1.0) * 360.0 * std::abs(countPerDegree(*profile_));
+  const double here = before ? before->degrees : offset_;
+  double commanded = tableAngleOf(*profile_, position, here - offset_) + offset_;
+  if (use_.alwaysMoves && std::abs(commanded - here) < kNoMove)
+    commanded += (here > offset_ ? -1.0 : 1.0) * 360.0 * std::abs(countPerDegree(*profile_));
   where_.reset();
   table_->headFor(position);
   const TableAngle reached = table_->turnTo(commanded, progress);

@@ -7,7 +7,13 @@
 
 namespace vantage {
 
-/// Brings the scanner to the positions of a workspace by turning a table. Position 0 is where the table counts 0.
+/// How a table is driven.
+struct TurntableUse {
+  int standsAt = 0;          ///< position of the workspace at which the table stands when it is opened
+  bool alwaysMoves = false;  ///< also to where it stands already: by a whole turn
+};
+
+/// Brings the scanner to the positions of a workspace by turning a table.
 ///
 /// Scanners that begin by themselves once a table has come to rest need a move for every scan: then the table turns
 /// once round where it stands already.
@@ -16,12 +22,11 @@ namespace vantage {
 class TurntablePositioner final : public Positioner {
  public:
   /// @param profile with the table's calibration, when there is one: sense and ratio of its turns are taken from it.
-  /// @param alwaysMoves also to where it stands already: by a whole turn
   TurntablePositioner(std::shared_ptr<const ScannerProfile> profile, std::shared_ptr<Turntable> table,
-                      bool alwaysMoves = false);
+                      const TurntableUse& use = {});
 
   [[nodiscard]] std::string identity() const override { return table_->identity(); }
-  void open(const Progress& progress) override { table_->open(progress); }
+  void open(const Progress& progress) override;
   void close() noexcept override { table_->close(); }
   [[nodiscard]] std::optional<std::string> notReady() const override { return table_->notReady(); }
   [[nodiscard]] ReachedPose moveTo(int position, const Progress& progress) override;
@@ -30,7 +35,8 @@ class TurntablePositioner final : public Positioner {
  private:
   std::shared_ptr<const ScannerProfile> profile_;
   std::shared_ptr<Turntable> table_;
-  bool alwaysMoves_;
+  TurntableUse use_;
+  double offset_ = 0.0;  // of the table's count from tableAngleOf [deg]
   std::optional<ReachedPose> where_;
 };
 

@@ -73,11 +73,21 @@ TEST(TurntablePositioner, KnowsTheSenseAndTheRatioOfTheTable) {
 
 TEST(TurntablePositioner, TurnsOnceRoundForAScannerThatWaitsForAMove) {
   const auto table = std::make_shared<ScriptedTable>();
-  TurntablePositioner positioner(profileOf(36), table, true);
+  TurntablePositioner positioner(profileOf(36), table, {.alwaysMoves = true});
   for (const int position : {0, 0, 1, 1}) static_cast<void>(positioner.moveTo(position, {}));
   const std::vector<double> expected{360.0, 0.0, -10.0, 350.0};
   ASSERT_EQ(table->commanded.size(), expected.size());
   for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_NEAR(table->commanded[i], expected[i], 1e-9) << i;
+}
+
+TEST(TurntablePositioner, GoesOnFromWhereTheTableWasLeft) {
+  const auto table = std::make_shared<ScriptedTable>();
+  TurntablePositioner positioner(profileOf(36), table, {.standsAt = 9});
+  positioner.open({});
+  const ReachedPose reached = positioner.moveTo(10, {});
+  EXPECT_NEAR(table->commanded.back(), -10.0, 1e-9);
+  EXPECT_EQ(reached.position, 10);
+  EXPECT_TRUE(reached.T_table_scanner.isApprox(turntable(36).poses[10], 1e-12));
 }
 
 TEST(TurntablePositioner, RefusesAPositionThatThereIsNot) {
