@@ -49,8 +49,10 @@ template <typename T>
 void SessionController::start(Activity activity, const QString& title, std::function<T(const Progress&)> process,
                               std::function<void(T)> done) {
   if (!idle()) return;
+  scanFailure_.clear();
   setActivity(activity);
-  job_ = jobs_.run<T>(title, std::move(process), [this, title, done = std::move(done)](JobResult<T> result) {
+  job_ = jobs_.run<T>(title, std::move(process), [this, activity, title, done = std::move(done)](JobResult<T> result) {
+    if (activity == Activity::Running) scanFailure_ = result.error;
     setActivity(Activity::Idle);
     if (result.value)
       done(std::move(*result.value));
@@ -237,6 +239,22 @@ void SessionController::run() {
 
 void SessionController::step() {
   if (allowed(permissions().whyNotScan())) scanInBackground(false);
+}
+
+void SessionController::turnByHand() {
+  if (!setUp_ || !canTurnByHand() || !idle()) return;
+  auto setUp = std::make_shared<SetUp>(*setUp_);
+  setUp->choice.rig.table = HandTableDevice{};
+  connectDevices(*setUp);
+  setUp_ = setUp;
+  scanFailure_.clear();
+  emit setUpChanged();
+  setMode(Mode::Assisted);
+  emit activityChanged();
+}
+
+bool SessionController::canTurnByHand() const {
+  return setUp_ && setUp_->devices && std::holds_alternative<RealDevices>(*setUp_->devices) && !turnedByHand(*setUp_);
 }
 
 void SessionController::pause() {

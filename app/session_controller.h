@@ -69,6 +69,12 @@ class SessionController final : public QObject {
   void run();
   /// One scan from the position that comes next; begins and opens again like run.
   void step();
+  /// What ended the last scan or run, as a sentence; empty when nothing failed, or something else was done since.
+  [[nodiscard]] const QString& scanFailure() const { return scanFailure_; }
+  /// Whether a person can take the place of the table.
+  [[nodiscard]] bool canTurnByHand() const;
+  /// From now on a person turns the table.
+  void turnByHand();
   /// Ends a run after the step that is under way.
   void pause();
   /// Ends whatever is under way at once; a step that is not finished leaves no trace.
@@ -172,6 +178,7 @@ class SessionController final : public QObject {
   std::vector<Moment> moments_;
   int cursor_ = 0;
   QString page_;
+  QString scanFailure_;
 };
 
 }  // namespace vantage

@@ -1,6 +1,7 @@
 #include "wizard/acquire_page.h"
 
 #include <QGridLayout>
+#include <QHBoxLayout>
 #include <QTabBar>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -23,6 +24,9 @@ AcquirePage::AcquirePage(SessionController& controller, QWidget* parent)
     : WizardPage(controller, parent),
       mode_(new QTabBar),
       failure_(makeLabel({}, "warning")),
+      again_(makeButton(tr("Tr&y again"), QStringLiteral("again"), tr("Scan from the same position once more."))),
+      byHand_(makeButton(tr("Turn by &hand"), QStringLiteral("byHand"),
+                         tr("Go on without the table: you turn the object as the dial says."))),
       status_(makeLabel({})),
       figures_(new FigureTable),
       nextView_(new NextViewBox(controller)),
@@ -45,6 +49,9 @@ AcquirePage::AcquirePage(SessionController& controller, QWidget* parent)
   connect(run_, &QPushButton::clicked, &controller, &SessionController::run);
   connect(step_, &QPushButton::clicked, &controller, &SessionController::step);
   connect(scan_, &QPushButton::clicked, &controller, &SessionController::step);
+  connect(again_, &QPushButton::clicked, this,
+          [this] { assisted() ? this->controller().step() : this->controller().run(); });
+  connect(byHand_, &QPushButton::clicked, &controller, &SessionController::turnByHand);
   connect(pause_, &QPushButton::clicked, &controller, &SessionController::pause);
   connect(stop_, &QPushButton::clicked, &controller, &SessionController::stop);
   connect(end_, &QPushButton::clicked, this, [this] {
@@ -66,6 +73,10 @@ void AcquirePage::build() {
   mode_->setDocumentMode(true);
   column().addWidget(mode_);
   column().addWidget(failure_);
+  auto* ways = new QHBoxLayout;
+  ways->addWidget(again_);
+  ways->addWidget(byHand_);
+  column().addLayout(ways);
   column().addWidget(status_);
   auto* buttons = new QGridLayout;
   buttons->addWidget(run_, 0, 0, 1, 3);
@@ -134,7 +145,13 @@ void AcquirePage::refresh() {
   const SharedState& now = controller().now();
   nextView_->setAssisted(assisted());
   status_->setText(status());
-  failure_->setText(controller().idle() && now ? failedScanText(*now) : QString());
+  const bool failed = !controller().scanFailure().isEmpty();
+  if (failed)
+    failure_->setText(controller().scanFailure() + QStringLiteral("\n") + tr("No scan is lost."));
+  else
+    failure_->setText(controller().idle() && now ? failedScanText(*now) : QString());
+  again_->setVisible(failed);
+  byHand_->setVisible(failed && controller().canTurnByHand());
   failure_->setVisible(!failure_->text().isEmpty());
   for (QPushButton* button : {run_, step_, pause_}) button->setVisible(!assisted());
   scan_->setVisible(assisted());

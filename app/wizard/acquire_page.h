@@ -37,6 +37,8 @@ class AcquirePage final : public WizardPage {
 
   QTabBar* mode_;
   QLabel* failure_;
+  QPushButton* again_;
+  QPushButton* byHand_;
   QLabel* status_;
   FigureTable* figures_;
   NextViewBox* nextView_;
