@@ -7,8 +7,8 @@
 
 #include "acquisition/setting_lookup.h"
 #include "acquisition/settings_table.h"
-#include "base/errors.h"
 #include "base/atomic_file.h"
+#include "base/errors.h"
 #include "io/file_bytes.h"
 
 namespace vantage {

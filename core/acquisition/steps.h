@@ -35,11 +35,6 @@ namespace vantage {
 [[nodiscard]] std::shared_ptr<const Model> integrateViews(const std::vector<View>& views, const StepOptions& options,
                                                           const Progress& progress);
 
-/// T_object_scanner of a scan as it is expected: its pose on the table, carried over from where the last view of its
-/// stand was found (the errors of past moves stay), else from how the object stands.
-/// @pre the pose of the scan's stand is known
-[[nodiscard]] Pose expectedPose(const AcquisitionState& state, const RangeImage& image);
-
 /// What a plan for the stand of now is made from, and what explains it.
 /// @pre the state has a profile and a model
 [[nodiscard]] PlanInput planInputOf(const AcquisitionState& state);

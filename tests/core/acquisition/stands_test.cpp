@@ -2,6 +2,7 @@
 
 #include "acquisition/acquisition.h"
 #include "acquisition/memory_journal.h"
+#include "acquisition/scan_placing.h"
 #include "acquisition/steps.h"
 #include "base/errors.h"
 #include "session/session.h"

@@ -1,3 +1,4 @@
+#include "acquisition/scan_placing.h"
 #include "acquisition/steps.h"
 
 #include <gtest/gtest.h>

@@ -1,0 +1,198 @@
+#include "acquisition/scan_placing.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "acquisition/steps.h"
+#include "registration/position_search.h"
+#include "registration/registration_target.h"
+#include "registration/scan_set.h"
+
+namespace vantage {
+namespace {
+
+// After so many moves nothing is known of where the table is.
+constexpr std::int64_t kMostMoves = 10'000;
+// A registration finds its way from so far [rad].
+constexpr double kReach = radians(3.0);
+// Hands are not trusted beyond so many sigmas.
+constexpr double kFarthest = 2.5;
+
+RegistrationResult firstRegistration(const Pose& T_object_scanner) {
+  RegistrationResult result;
+  result.T_object_scanner = T_object_scanner;
+  result.verdict = Verdict::Good;
+  result.finding.reason = VerdictReason::FirstView;
+  result.inlierShare = 1.0;
+  return result;
+}
+
+// Whether a registration would not reach as far as the pose may be off.
+bool isFarOff(const RangeImage& image) {
+  return image.poseUncertainty && image.poseUncertainty->angleSigma > kReach;
+}
+
+// Where a scan would be if its table had turned by so much less or more than is said.
+std::vector<Pose> turnedPoses(const AcquisitionState& state, const RangeImage& image, double upTo) {
+  std::vector<Pose> poses;
+  RangeImage turned = image;
+  const int steps = static_cast<int>(std::ceil(upTo / kReach));
+  for (int i = -steps; i <= steps; ++i) {
+    turned.T_table_scanner = Eigen::AngleAxisd(kReach * i, Vec3::UnitZ()) * image.T_table_scanner;
+    poses.push_back(expectedPose(state, turned));
+  }
+  return poses;
+}
+
+// The registration of a scan whose table a person turned, about as far as they were asked: first coarse, then fine.
+RegistrationResult registerOnTurn(const AcquisitionState& state, const KeptScan& scan, const RegistrationTarget& target,
+                                  const IcpOptions& options, const Progress& progress) {
+  const View& view = scan.view;
+  const ViewSurface surface(*view.mesh, *view.image->rays);
+  IcpOptions free = options;
+  free.prior.reset();
+  const auto poses = turnedPoses(state, *view.image, kFarthest * view.image->poseUncertainty->angleSigma);
+  const auto fits = poseThatFits(surface, poses, target, free, progress);
+  if (!fits) return registerView(surface, view.T_object_scanner, target, options, progress);
+  RegistrationResult found = fits->registration;
+  if (fits->rivalDistance > 0.0 && found.verdict == Verdict::Good) {
+    found.verdict = Verdict::Doubtful;
+    found.finding = {VerdictReason::Rival, fits->rivalDistance, {}};
+  }
+  return found;
+}
+
+RegistrationResult registerWithModel(const AcquisitionState& state, const KeptScan& scan, const StepOptions& options,
+                                     const Progress& progress) {
+  const View& view = scan.view;
+  if (!state.model) return firstRegistration(view.T_object_scanner);
+  const RegistrationTarget target(state.model->mesh, state.model->confidence);
+  IcpOptions registration = options.registration;
+  if (const KeptScan* last = lastView(state, scan.station().stand)) registration.prior = priorOf(options, *last, scan);
+  if (isFarOff(*view.image)) return registerOnTurn(state, scan, target, registration, progress);
+  return registerView(*view.mesh, *view.image->rays, view.T_object_scanner, target, registration, progress);
+}
+
+// Where in the workspace a scan fits which does not fit its own position.
+std::optional<FittingPose> otherPlace(const AcquisitionState& state, const KeptScan& scan, const StepOptions& options,
+                                      const Progress& progress) {
+  if (!state.profile || !state.model || !scan.station().position) return std::nullopt;
+  std::vector<Pose> candidates;
+  RangeImage there = *scan.view.image;
+  for (const Pose& T_table_scanner : state.profile->workspace.poses) {
+    there.T_table_scanner = T_table_scanner;
+    candidates.push_back(expectedPose(state, there));
+  }
+  IcpOptions registration = options.registration;
+  registration.prior.reset();
+  return poseThatFits(ViewSurface(*scan.view.mesh, *scan.view.image->rays), candidates,
+                      RegistrationTarget(state.model->mesh, state.model->confidence), registration, progress);
+}
+
+// Whether a table moved by itself and said where to: a person may have meant another position.
+bool movedByItself(const RangeImage& image) {
+  return !image.takenWith.empty() &&
+         (image.poseKnownBy == PoseSource::Commanded || image.poseKnownBy == PoseSource::Reported);
+}
+
+// How much farther than it said the table turned, when the scan was found there [deg], counter-clockwise from above.
+double slipOf(const Pose& expected, const Pose& found) {
+  const Eigen::Matrix3d turn = expected.linear() * found.linear().transpose();
+  return degrees(std::atan2(turn(1, 0) - turn(0, 1), turn(0, 0) + turn(1, 1)));
+}
+
+// Whether the plan sent the scan where it shows nothing of the model.
+bool plannedByTable(const AcquisitionState& state, const KeptScan& scan, const StepOptions& options) {
+  return state.plan && state.plan->tableAlone && options.mechanics && state.plan->position == scan.station().position &&
+         lastView(state, scan.station().stand) != nullptr;
+}
+
+// A scan that shows next to nothing of the model, as it was to be expected, and nothing against it, stays where the
+// table has it.
+void placeByTable(const KeptScan& scan, const StepOptions& options, RegistrationResult& found) {
+  if (found.finding.reason != VerdictReason::FewPairs) return;
+  if (found.conflictShare > options.registration.limits.maxConflicts) return;
+  found.T_object_scanner = scan.view.T_object_scanner;
+  found.verdict = Verdict::Doubtful;
+  found.finding = {VerdictReason::TableAlone, static_cast<double>(found.pairs), {}};
+}
+
+void checkAgainstOthers(const AcquisitionState& state, KeptScan& scan, const StepOptions& options,
+                        const Progress& progress);
+
+// A table that slipped, or was pushed, brought the scan elsewhere: it counts there, but nothing is good about it.
+bool placeWhereSlipped(const AcquisitionState& state, KeptScan& scan, const FittingPose& fits,
+                       const StepOptions& options, const Progress& progress) {
+  if (!movedByItself(*scan.view.image) || fits.registration.verdict != Verdict::Good || fits.rivalDistance > 0.0)
+    return false;
+  KeptScan there = scan;
+  there.record.registration = fits.registration;
+  there.record.registration.verdict = Verdict::Doubtful;
+  there.record.registration.finding = {
+      VerdictReason::TableSlipped, slipOf(scan.view.T_object_scanner, fits.registration.T_object_scanner), {}};
+  checkAgainstOthers(state, there, options, progress);
+  if (there.record.registration.verdict == Verdict::Failed) return false;
+  scan.record.registration = there.record.registration;
+  return true;
+}
+
+// A scan that does not fit its own position may not have been meant to, or fit another.
+void explainFailure(const AcquisitionState& state, KeptScan& scan, const StepOptions& options,
+                    const Progress& progress) {
+  RegistrationResult& found = scan.record.registration;
+  if (plannedByTable(state, scan, options)) return placeByTable(scan, options, found);
+  const auto fits = otherPlace(state, scan, options, progress);
+  if (!fits || placeWhereSlipped(state, scan, *fits, options, progress)) return;
+  const int other = static_cast<int>(fits->candidate);
+  if (other != *scan.station().position) found.finding = {VerdictReason::OtherPosition, static_cast<double>(other), {}};
+}
+
+// A scan that fits the model may still contradict what the views have looked through, or show emptiness where they saw
+// surface.
+void checkAgainstOthers(const AcquisitionState& state, KeptScan& scan, const StepOptions& options,
+                        const Progress& progress) {
+  std::vector<View> views = viewsOf(state);
+  views.push_back(scan.view);
+  views.back().T_object_scanner = scan.record.registration.T_object_scanner;
+  const bool isDoubtful = scan.record.registration.verdict == Verdict::Doubtful;
+  const auto contradiction = contradictionOfLast(views, isDoubtful, options.registration, progress);
+  if (!contradiction) return;
+  scan.record.registration.verdict = Verdict::Failed;
+  scan.record.registration.finding = {VerdictReason::ContradictsOthers, *contradiction, {}};
+}
+
+}  // namespace
+
+std::optional<PosePrior> priorOf(const StepOptions& options, const KeptScan& from, const KeptScan& to) {
+  const RangeImage& image = *to.view.image;
+  const std::optional<Mechanics>& mechanics = image.poseUncertainty ? image.poseUncertainty : options.mechanics;
+  if (!mechanics) return options.registration.prior;
+  if (image.poseKnownBy == PoseSource::ByHand) return turntablePrior(*mechanics);
+  const auto moves = std::clamp<std::int64_t>(to.number - from.number, 1, kMostMoves);
+  return turntablePrior(*mechanics, static_cast<int>(moves));
+}
+
+Pose expectedPose(const AcquisitionState& state, const RangeImage& image) {
+  const KeptScan* last = lastView(state, image.station.stand);
+  if (last == nullptr)
+    return *state.stands[static_cast<std::size_t>(image.station.stand)].T_object_table * image.T_table_scanner;
+  return last->view.T_object_scanner * last->view.image->T_table_scanner.inverse() * image.T_table_scanner;
+}
+
+bool findPlace(const AcquisitionState& state, KeptScan& scan, const StepOptions& options, const Progress& progress) {
+  scan.view.T_object_scanner = expectedPose(state, *scan.view.image);
+  scan.record.registration = registerWithModel(state, scan, options, progress.part(0.0, 0.6));
+  const Progress checking = progress.part(0.6, 0.7);
+  if (scan.record.registration.verdict == Verdict::Failed)
+    explainFailure(state, scan, options, checking);
+  else
+    checkAgainstOthers(state, scan, options, checking);
+  const bool found = scan.record.registration.verdict != Verdict::Failed;
+  scan.status = found ? ScanStatus::In : ScanStatus::Rejected;
+  if (found) scan.view.T_object_scanner = scan.record.registration.T_object_scanner;
+  if (!found) scan.view.mesh = nullptr;
+  return found;
+}
+
+}  // namespace vantage

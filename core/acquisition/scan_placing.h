@@ -1,0 +1,26 @@
+#pragma once
+
+#include <optional>
+
+#include "acquisition/acquisition_state.h"
+#include "acquisition/step_options.h"
+#include "base/progress.h"
+#include "registration/pose_prior.h"
+
+namespace vantage {
+
+/// What is known of the motion from one scan to a later one: the table moved for every scan in between, also for those
+/// that are no views. Who turned it by hand begins anew every time.
+[[nodiscard]] std::optional<PosePrior> priorOf(const StepOptions& options, const KeptScan& from, const KeptScan& to);
+
+/// T_object_scanner of a scan as it is expected: its pose on the table, carried over from where the last view of its
+/// stand was found (the errors of past moves stay), else from how the object stands.
+/// @pre the pose of the scan's stand is known
+[[nodiscard]] Pose expectedPose(const AcquisitionState& state, const RangeImage& image);
+
+/// Registers a scan with the model: its place, status and registration become what was found. A table that slipped is
+/// noticed, and where a person may have turned it to is searched. @return whether it found its place. @throws Cancelled
+[[nodiscard]] bool findPlace(const AcquisitionState& state, KeptScan& scan, const StepOptions& options,
+                             const Progress& progress);
+
+}  // namespace vantage
