@@ -146,7 +146,8 @@ TEST_P(Laboratory, UnpluggedItCanBeConnectedAgain) {
   const std::string said = d.turn(40.0, 40.0);
   EXPECT_NE(said.find("was unplugged"), std::string::npos) << said;
   EXPECT_EQ(d.table->status().state, TableState::Closed);
-  std::this_thread::sleep_for(milliseconds(1500));
+  for (int i = 0; i < 1000 && !std::filesystem::exists(d.lab.port()); ++i)
+    std::this_thread::sleep_for(milliseconds(10));
   d.table->open({});
   const double here = d.lab.truth();
   EXPECT_EQ(d.turn(20.0, here + 20.0), "arrived");
