@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/errors.h"
+#include "scanner/profile_reader.h"
 
 namespace vantage {
 namespace {

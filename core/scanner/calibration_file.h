@@ -4,9 +4,10 @@
 #include <string>
 
 #include "scanner/profile.h"
-#include "scanner/profile_reader.h"
 
 namespace vantage {
+
+class JsonObjectReader;
 
 /// The object of a calibration file, which is also the `calibration` of a profile:
 ///   { "axis": { "point": [x, y, z], "direction": [x, y, z], "sigma_mm": 0, "sigma_deg": 0 },

@@ -48,8 +48,9 @@ TEST(ProfileFromScans, FindsACamera) {
   EXPECT_EQ(fit.type, "pinhole");
   EXPECT_LT(fit.residual, 0.1);
   EXPECT_NEAR(fit.noise, 0.1, 0.03);
-  EXPECT_FALSE(fit.noiseFromRepeats);
-  EXPECT_NEAR(degrees(fit.breakdownAngle), 75.0, 6.0);
+  // Little of a lump is steep: where its samples end is on the safe side.
+  EXPECT_GT(degrees(fit.breakdownAngle), 60.0);
+  EXPECT_LT(degrees(fit.breakdownAngle), 78.0);
   const ScannerProfile profile = parseProfile(fit.source);
   ASSERT_EQ(profile.rays->size(), scene.profile->rays->size());
   EXPECT_EQ(profile.workspace.size(), 90U);
@@ -68,7 +69,8 @@ TEST(ProfileFromScans, PutsACameraAtItsOriginBeforeTheTable) {
   EXPECT_EQ(fit.type, "pinhole");
   const ScannerProfile profile = parseProfile(fit.source);
   EXPECT_GT(profile.rays->ray(0).origin.x(), 200.0);
-  EXPECT_LT(profile.rays->ray(profile.rays->size() / 2).direction.x(), -0.99);
+  const double middle = 0.5 * (profile.rays->columns() - 1);
+  EXPECT_LT(profile.rays->rayAt({0.5 * (profile.rays->rows() - 1), middle}).direction.x(), -0.99);
 }
 
 TEST(ProfileFromScans, OtherRaysBecomeATable) {

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/errors.h"
+#include "scanner/profile_reader.h"
 #include "scanner/table_calibration.h"
 #include "scanner/table_turn.h"
 #include "scanner/turntable_positioner.h"
