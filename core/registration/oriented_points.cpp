@@ -22,6 +22,7 @@ void OrientedPoints::append(const OrientedPoints& other, const Pose& T_this_othe
 }
 
 OrientedPoints thinnedPoints(const OrientedPoints& points, std::size_t count) {
+  if (points.size() <= count) return points;
   OrientedPoints some;
   for (const std::uint32_t k : thinned(allIndices(points.size()), count)) {
     some.points.push_back(points.points[k]);

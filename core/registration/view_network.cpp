@@ -16,6 +16,9 @@ constexpr std::size_t kFewest = 6;
 // Views see a part of each other: this many times the wanted number of points are looked at.
 constexpr std::size_t kLookAt = 3;
 
+// Points of one view that are kept: links of a view choose from them, the more views there are the fewer.
+constexpr std::size_t kMostPoints = 400'000;
+
 // Gives a link about `count` points of its first view that its second one sees.
 void keepSeen(const PreparedView& from, const PreparedView& to, const Pose& T_to_from, const PairGates& gates,
               std::size_t count, ViewLink& link) {
@@ -33,7 +36,8 @@ void keepSeen(const PreparedView& from, const PreparedView& to, const Pose& T_to
 
 }  // namespace
 
-PreparedView::PreparedView(const View& view) : surface(*view.mesh, *view.image->rays), points(surface.pointsInside()) {}
+PreparedView::PreparedView(const View& view)
+    : surface(*view.mesh, *view.image->rays), points(thinnedPoints(surface.pointsInside(), kMostPoints)) {}
 
 RegistrationScale scaleOf(std::span<const PreparedView> views) {
   std::vector<RegistrationScale> scales;
