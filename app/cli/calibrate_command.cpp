@@ -6,6 +6,7 @@
 #include "cli/calibration_rig.h"
 #include "cli/command.h"
 #include "cli/reading_arguments.h"
+#include "cli/rig_arguments.h"
 #include "cli/text.h"
 #include "io/output_file.h"
 #include "scanner/calibration_file.h"
@@ -14,8 +15,7 @@ namespace vantage {
 namespace {
 
 struct CalibrateArguments {
-  std::string sensor;
-  std::string table;
+  RigArguments rig;
   std::string scanner;
   std::string out;
   int scans = 6;
@@ -39,12 +39,12 @@ std::vector<CalibrationScan> recordedScans(const CalibrateArguments& args, const
 std::vector<CalibrationScan> scansOf(const CalibrateArguments& args,
                                      const std::shared_ptr<const ScannerProfile>& profile, const Progress& progress) {
   if (!args.ranges.empty()) return recordedScans(args, *profile, progress);
-  if (args.sensor.empty() || args.table.empty())
+  if (!args.rig.given())
     throw InvalidInput("calibrate needs --sensor and --table, or --ranges and --angles of recorded scans");
   const std::vector<double> angles = calibrationAngles(args.scans);
   const CalibrationRig rig =
-      openCalibrationRig(parseSensor(args.sensor), parseTable(args.table), profile, progress.part(0.0, 0.1));
-  return takeCalibrationScans(*rig.sensor, *rig.table, angles, progress.part(0.1, 1.0));
+      openCalibrationRig(args.rig.described().rig, args.reading.options(), profile, progress.part(0.0, 0.1));
+  return takeCalibrationScans(*rig.sensor, *rig.table, angles, progress.part(0.1, 1.0), rig.startsByItself);
 }
 
 nlohmann::ordered_json jsonOf(const CalibrationResult& result, const CalibrateArguments& args) {
@@ -125,8 +125,7 @@ void addCalibrateCommand(CLI::App& app, CommandContext& context) {
       "calibrate", "Find where a turntable stands before a scanner and how it turns, from scans of any object on it");
   command->add_option("--scanner", args->scanner, "Scanner profile (JSON)")->required();
   command->add_option("--out", args->out, "File (JSON) to write the calibration to")->required();
-  command->add_option("--sensor", args->sensor, "What scans: folder:DIR, openni2[:URI], ...");
-  command->add_option("--table", args->table, "What turns: serial:PORT[,PROTOCOL], hand, ...");
+  args->rig.addDevicesTo(*command);
   command->add_option("--scans", args->scans, "How many scans to take")
       ->check(CLI::Range(3, 12))
       ->capture_default_str();

@@ -48,7 +48,8 @@ void runDevices(Session& session, const ResumeArguments& args, const std::string
   PersonAtTable person(session.profile(), args.events, context);
   HandTable::AskPerson ask;
   if (byHand) ask = [&](int position, const Progress& progress) { person.ask(position, progress); };
-  DeviceSetUp devices = RealDevices{file.rig, session.profile(), ask, args.reading.options(), tablePosition(session).value_or(0)};
+  DeviceSetUp devices =
+      RealDevices{file.rig, session.profile(), ask, args.reading.options(), tablePosition(session).value_or(0)};
   if (simulated) {
     const auto object = std::make_shared<const Mesh>(session.object(context.progress()));
     devices = Simulated{object, session.profile(), {settings.simulation.seed, settings.simulation.ideal}, ask};

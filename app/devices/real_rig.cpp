@@ -64,8 +64,12 @@ std::shared_ptr<Turntable> turntableOf(const TableDevice& table) {
   return nullptr;
 }
 
+std::shared_ptr<RangeSensor> sensorOf(const RealDevices& setUp) {
+  return std::visit(SensorMaking{setUp}, setUp.rig.sensor);
+}
+
 Rig realRig(const RealDevices& setUp) {
-  return {std::visit(SensorMaking{setUp}, setUp.rig.sensor), std::visit(TableMaking{setUp}, setUp.rig.table)};
+  return {sensorOf(setUp), std::visit(TableMaking{setUp}, setUp.rig.table)};
 }
 
 }  // namespace vantage

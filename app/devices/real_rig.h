@@ -9,6 +9,9 @@ namespace vantage {
 /// @throws InvalidInput for a description that no device can be made of, with what to change
 [[nodiscard]] Rig realRig(const RealDevices& setUp);
 
+/// The sensor of a set-up alone. @throws as realRig
+[[nodiscard]] std::shared_ptr<RangeSensor> sensorOf(const RealDevices& setUp);
+
 /// The turntable of a set-up alone, for jogging, homing and calibrating; null where no table turns to angles.
 [[nodiscard]] std::shared_ptr<Turntable> turntableOf(const TableDevice& table);
 

@@ -37,17 +37,18 @@ std::vector<double> calibrationAngles(int scans) {
 }
 
 std::vector<CalibrationScan> takeCalibrationScans(RangeSensor& sensor, Turntable& table, std::span<const double> angles,
-                                                  const Progress& progress) {
+                                                  const Progress& progress, bool turnFirst) {
   requireReady(table);
   requireReady(sensor);
   const auto now = table.angle();
-  const double begin = now ? now->degrees : 0.0;
+  const double begin = (now ? now->degrees : 0.0) + (turnFirst ? 360.0 : 0.0);
   std::vector<CalibrationScan> scans;
   for (std::size_t k = 0; k < angles.size(); ++k) {
     const auto part = [&](double from, double to) {
       const double count = static_cast<double>(angles.size());
       return progress.part((static_cast<double>(k) + from) / count, (static_cast<double>(k) + to) / count);
     };
+    sensor.announceMove();
     const TableAngle reached = table.turnTo(begin + angles[k], part(0.0, 0.5));
     sensor.standAt({static_cast<int>(k), Pose::Identity(), reached.knownBy, {}});
     RangeImage image = sensor.capture(part(0.5, 1.0));

@@ -16,9 +16,10 @@ namespace vantage {
 
 /// Turns the table to each angle, counted from where it stands, and scans there. Both devices are open. The scans have
 /// the angles that the table says it reached.
+/// @param turnFirst the table turns once round before the first scan: for scanners that wait for a move
 /// @throws DeviceError, also for a device that is not ready: then nothing has moved; Cancelled
 [[nodiscard]] std::vector<CalibrationScan> takeCalibrationScans(RangeSensor& sensor, Turntable& table,
                                                                 std::span<const double> angles,
-                                                                const Progress& progress);
+                                                                const Progress& progress, bool turnFirst = false);
 
 }  // namespace vantage
