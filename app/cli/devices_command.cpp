@@ -26,7 +26,9 @@ std::string textOf(const ListedDevice& device) {
 
 void run(const std::string& port, CommandContext& context) {
   // Every kind of device adds its rows here.
-  const std::vector<ListedDevice> devices = listSerialPorts(port, context.progress());
+  std::vector<ListedDevice> devices = listSerialPorts(port, context.progress());
+  if (port.empty())
+    for (ListedDevice& camera : listCameras(context.progress())) devices.push_back(std::move(camera));
   nlohmann::ordered_json json{{"devices", nlohmann::ordered_json::array()}};
   std::string text;
   for (const ListedDevice& device : devices) {

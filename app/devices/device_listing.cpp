@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "base/errors.h"
+#include "devices/openni2_sensor.h"
 #include "devices/serial/port_list.h"
 #include "devices/serial/table_device.h"
 
@@ -34,6 +36,21 @@ std::vector<ListedDevice> listSerialPorts(const std::string& port, const Progres
     const double count = static_cast<double>(devices.size());
     const double from = static_cast<double>(i) / count;
     if (wanted[i]) ask(devices[i], progress.part(from, from + 1.0 / count, "asking " + devices[i].name));
+  }
+  return devices;
+}
+
+std::vector<ListedDevice> listCameras(const Progress& progress) {
+  std::vector<ListedDevice> devices;
+  try {
+    for (const CameraInfo& camera : connectedCameras(progress)) {
+      const std::string measures = camera.model ? describe(*camera.model) : std::string();
+      const bool usable = camera.problem.empty();
+      devices.push_back({"camera", camera.uri, camera.vendor + " " + camera.name, true, usable ? "openni2" : "",
+                         usable ? measures : camera.problem});
+    }
+  } catch (const DeviceError&) {
+    // No camera can be reached that way; who names one is told why.
   }
   return devices;
 }
