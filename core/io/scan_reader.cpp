@@ -234,11 +234,24 @@ std::optional<FrameChoice> parseFrame(std::string_view text) {
                      "', expected auto, profile, camera, gl, x+, x-, y+, y-, z+, z-, world or cylinder");
 }
 
+namespace {
+
+bool fitsAProfile(FrameChoice frame) {
+  return frame == FrameChoice::Profile || frame == FrameChoice::World || frame == FrameChoice::LooksZUp ||
+         frame == FrameChoice::LooksZDown;
+}
+
+}  // namespace
+
 std::vector<ReadScan> readScans(const std::vector<std::string>& files, const std::vector<ScanPose>* list,
                                 const ScannerProfile* profile, const ScanReadingOptions& options,
                                 const Progress& progress) {
   if (profile == nullptr && options.frame == FrameChoice::Profile)
     throw InvalidInput("--frame profile needs --scanner PROFILE.json, whose frame it is");
+  if (profile != nullptr && options.frame && !fitsAProfile(*options.frame))
+    throw InvalidInput(
+        "the profile says where its scanner looks: leave --frame, or say profile, camera, gl or world for points that "
+        "are in other coordinates than its own");
   std::vector<RawScan> raw;
   const Progress reading = progress.part(0.0, 0.5);
   for (const std::string& file : files) {

@@ -85,7 +85,8 @@ TEST(Verdict, HasAName) {
   EXPECT_EQ(name(VerdictReason::HeldByMechanics), "held_by_mechanics");
   EXPECT_EQ(name(VerdictReason::NotSettled), "not_settled");
   EXPECT_EQ(name(VerdictReason::ContradictsOthers), "contradicts_others");
-  EXPECT_EQ(name(kLastVerdictReason), "held_by_all");
+  EXPECT_EQ(name(VerdictReason::HeldByAll), "held_by_all");
+  EXPECT_EQ(name(kLastVerdictReason), "table_slipped");
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "acquisition/apply_command.h"
+#include "acquisition/step_options.h"
 #include "session/session_blobs.h"
 #include "session/state_hash.h"
 #include "support/meshes.h"

@@ -1,7 +1,7 @@
+#include "calibration/calibration_finding.h"
+
 #include <cmath>
 #include <cstdio>
-
-#include "calibration/table_calibrator.h"
 
 namespace vantage {
 namespace {
