@@ -81,7 +81,7 @@ std::optional<std::string> FolderSensor::notReady() const {
 void FolderSensor::announceMove() {
   if (options_.existing) return;
   try {
-    watch_.begin();
+    watch_.beginAnew();
     begun_ = true;
   } catch (const IoError&) {
     begun_ = false;  // capture says so, when it is still so then

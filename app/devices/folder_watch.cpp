@@ -82,7 +82,8 @@ void FolderWatch::see(const std::string& path) {
   known.renamed = isNew && before != unfinished_.end() && !fs::exists(before->second, gone);
   known.stamp = stamp;
   known.since = std::chrono::steady_clock::now();
-  known.done = false;
+  if (isNew) known.barred = barred_.contains({stamp.device, stamp.inode});
+  known.done = known.barred;
 }
 
 void FolderWatch::list() {
@@ -120,6 +121,17 @@ void FolderWatch::begin() {
     if (!known.kept && !fresh) known.done = true;
     known.kept = false;
   }
+}
+
+void FolderWatch::beginAnew() {
+  list();
+  for (auto& [path, known] : known_) {
+    known.barred = !known.kept;
+    if (known.barred) known.done = true;
+    known.kept = false;
+  }
+  barred_.clear();
+  for (const auto& [file, path] : unfinished_) barred_.insert(file);
 }
 
 std::vector<WatchedFile> FolderWatch::look() {

@@ -3,6 +3,7 @@
 #include <chrono>
 #include <cstdint>
 #include <map>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -42,6 +43,10 @@ class FolderWatch {
   /// that are kept. @throws IoError as look
   void begin();
 
+  /// The same before a move: what is there already, also what is still being written, is of an earlier scan and not
+  /// offered any more, but for files that are kept. @throws IoError as look
+  void beginAnew();
+
   /// The files that are finished and not dismissed, oldest first, of the same time by name.
   /// @throws IoError when the folder is not there or cannot be read
   [[nodiscard]] std::vector<WatchedFile> look();
@@ -60,6 +65,7 @@ class FolderWatch {
     std::chrono::steady_clock::time_point since;
     bool renamed = false;
     bool done = false;
+    bool barred = false;  // is not offered when it changes, either
     bool kept = false;
     bool seen = false;
   };
@@ -70,6 +76,7 @@ class FolderWatch {
   std::chrono::milliseconds rest_;
   std::map<std::string, Known> known_;
   std::map<std::pair<std::uint64_t, std::uint64_t>, std::string> unfinished_;  // by device and inode
+  std::set<std::pair<std::uint64_t, std::uint64_t>> barred_;                   // of those when a move began
 };
 
 }  // namespace vantage

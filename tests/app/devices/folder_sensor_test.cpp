@@ -65,6 +65,19 @@ class FolderSensorTest : public ::testing::Test {
   std::unique_ptr<FolderSensor> sensor_;
 };
 
+TEST_F(FolderSensorTest, AFileThatWasBeingWrittenWhenTheMoveBeganIsOfTheScanBefore) {
+  static_cast<void>(sensor());
+  static_cast<void>(folder_.write("before.ply", text_.substr(0, text_.size() / 2)));
+  static_cast<void>(folder_.write("renamed.ply.part", text_));
+  sensor().announceMove();
+  static_cast<void>(folder_.write("before.ply", text_));
+  fs::rename(folder_.file("renamed.ply.part"), folder_.file("renamed.ply"));
+  const auto waiting = capture();
+  EXPECT_FALSE(waiting->isOver(std::chrono::milliseconds(400)));
+  static_cast<void>(folder_.write("after.ply", text_));
+  expectTaken(*waiting, "after.ply");
+}
+
 TEST_F(FolderSensorTest, TakesAFileThatCame) {
   const auto waiting = capture();
   static_cast<void>(folder_.write("a.ply", text_));
