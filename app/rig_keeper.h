@@ -28,6 +28,9 @@ class RigKeeper {
     return *rig_;
   }
 
+  /// After a failure they are opened anew the next time.
+  void drop() { rig_.reset(); }
+
  private:
   DeviceFactory factory_;
   std::optional<Rig> rig_;

@@ -200,10 +200,15 @@ void SessionController::scanInBackground(bool untilTheEnd) {
         }
         if (acquisition.state()->termination == Termination::EndedByOperator)
           acquisition.carryOut(Finish{Termination::Running});
-        if (untilTheEnd)
-          acquisition.runUntilTheEnd(progress, [pause] { return pause->load(); });
-        else
-          acquisition.scanNext(progress);
+        try {
+          if (untilTheEnd)
+            acquisition.runUntilTheEnd(progress, [pause] { return pause->load(); });
+          else
+            acquisition.scanNext(progress);
+        } catch (const DeviceError&) {
+          devices->drop();
+          throw;
+        }
         return acquisition.state()->termination != Termination::Running;
       },
       [this](bool ended) {

@@ -79,7 +79,7 @@ void run(const AcquireArguments& given, CommandContext& context) {
   if (simulated) object = std::make_shared<const Mesh>(placeObject(args, *profile, context));
   NewFolder folder(args.out);
   const bool byHand = std::holds_alternative<HandTableDevice>(file.rig.table);
-  PersonAtTable person(profile, args.events, context);
+  PersonAtTable person(profile, 0, args.events, context);
   HandTable::AskPerson ask;
   if (byHand) ask = [&](int position, const Progress& progress) { person.ask(position, progress); };
   DeviceSetUp devices = RealDevices{file.rig, profile, ask, args.reading.options()};

@@ -48,8 +48,9 @@ double rounded(double angle) {
 
 }  // namespace
 
-PersonAtTable::PersonAtTable(std::shared_ptr<const ScannerProfile> profile, bool events, CommandContext& context)
-    : profile_(std::move(profile)), events_(events), context_(context) {
+PersonAtTable::PersonAtTable(std::shared_ptr<const ScannerProfile> profile, int position, bool events,
+                             CommandContext& context)
+    : profile_(std::move(profile)), events_(events), context_(context), position_(position) {
   if (events) context.keepForEvents();
 }
 

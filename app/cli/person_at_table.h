@@ -27,7 +27,8 @@ class EndedByPerson : public DeviceError {
 /// {"event": "turn", "position": 7, "table_deg": 28.0, "by_deg": -12.0}.
 class PersonAtTable {
  public:
-  PersonAtTable(std::shared_ptr<const ScannerProfile> profile, bool events, CommandContext& context);
+  /// @param position at which the table stands
+  PersonAtTable(std::shared_ptr<const ScannerProfile> profile, int position, bool events, CommandContext& context);
 
   /// Asks to turn the table to a position, and waits for the answer.
   /// @throws PositionSkipped, EndedByPerson, also when nobody answers any more; Cancelled
@@ -45,7 +46,7 @@ class PersonAtTable {
   std::shared_ptr<const ScannerProfile> profile_;
   bool events_;
   CommandContext& context_;
-  int position_ = 0;
+  int position_;
   std::string typed_;  // after the last whole line
 };
 

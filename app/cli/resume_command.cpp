@@ -45,7 +45,7 @@ void runDevices(Session& session, const ResumeArguments& args, const std::string
                        "--rig, what is there to go on with");
   const bool simulated = isSimulated(file.rig);
   const bool byHand = std::holds_alternative<HandTableDevice>(file.rig.table);
-  PersonAtTable person(session.profile(), args.events, context);
+  PersonAtTable person(session.profile(), tablePosition(session).value_or(0), args.events, context);
   HandTable::AskPerson ask;
   if (byHand) ask = [&](int position, const Progress& progress) { person.ask(position, progress); };
   DeviceSetUp devices =
