@@ -18,6 +18,8 @@ constexpr std::int64_t kMostMoves = 10'000;
 constexpr double kReach = radians(3.0);
 // Hands are not trusted beyond so many sigmas.
 constexpr double kFarthest = 2.5;
+// Farther is nearer the other way round [rad].
+constexpr double kHalfTurn = radians(180.0);
 
 RegistrationResult firstRegistration(const Pose& T_object_scanner) {
   RegistrationResult result;
@@ -37,7 +39,7 @@ bool isFarOff(const RangeImage& image) {
 std::vector<Pose> turnedPoses(const AcquisitionState& state, const RangeImage& image, double upTo) {
   std::vector<Pose> poses;
   RangeImage turned = image;
-  const int steps = static_cast<int>(std::ceil(upTo / kReach));
+  const int steps = static_cast<int>(std::ceil(std::min(upTo, kHalfTurn) / kReach));
   for (int i = -steps; i <= steps; ++i) {
     turned.T_table_scanner = Eigen::AngleAxisd(kReach * i, Vec3::UnitZ()) * image.T_table_scanner;
     poses.push_back(expectedPose(state, turned));
