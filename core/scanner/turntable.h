@@ -26,6 +26,14 @@ class Turntable : public Device {
   /// the table was told to stop, and angle() says what is then known
   [[nodiscard]] virtual TableAngle turnTo(double degrees, const Progress& progress) = 0;
 
+  /// Turns by so many degrees, also when it is not known where it stands: to bring it to a mark.
+  /// @return where it then stands; nothing when that is still not known. @throws as turnTo
+  [[nodiscard]] virtual std::optional<TableAngle> jog(double degrees, const Progress& progress);
+
+  /// Asks it where it stands and how it is: what has become of it since it was last spoken to is known afterwards.
+  /// Tables that cannot be asked stay as they are known. @throws DeviceError, Cancelled
+  virtual void ask(const Progress& /*progress*/) {}
+
   /// Where it stands; nothing when that is not known: before the first move of some tables, after a reset. At once.
   [[nodiscard]] virtual std::optional<TableAngle> angle() const = 0;
 
