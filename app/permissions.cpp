@@ -46,9 +46,17 @@ QString Permissions::whyNotRun() const {
   return whyNotScan();
 }
 
-QString Permissions::whyNotTestTurn() const {
+QString Permissions::whyNotTestScan() const {
   if (at_.busy) return busyOr({});
   if (QString why = whyNoDevices(); !why.isEmpty()) return why;
+  // Where its table stands belongs to the session.
+  if (at_.sessionOpen && std::holds_alternative<RealDevices>(*at_.setUp->devices))
+    return tr("The session has begun. Tests with its devices are made before the first scan.");
+  return {};
+}
+
+QString Permissions::whyNotTestTurn() const {
+  if (QString why = whyNotTestScan(); !why.isEmpty()) return why;
   return at_.setUp->profile->workspace.steps > 1 ? QString() : tr("This scanner has no turntable.");
 }
 
@@ -67,6 +75,11 @@ QString Permissions::whyNotRedo() const {
 
 QString Permissions::whyNotExport() const {
   return busyOr(unless(at_.now && at_.now->model, RefusalReason::NothingScanned));
+}
+
+QString Permissions::whyNotAddScans() const {
+  if (!at_.sessionOpen || !at_.now) return tr("There is no session yet: it begins with the first scan.");
+  return busyOr(unless(at_.now->profile != nullptr, RefusalReason::NoProfile));
 }
 
 QString Permissions::whyNotOpen() const {

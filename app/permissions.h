@@ -32,6 +32,7 @@ class Permissions {
 
   [[nodiscard]] QString whyNotRun() const;
   [[nodiscard]] QString whyNotScan() const;
+  [[nodiscard]] QString whyNotTestScan() const;
   [[nodiscard]] QString whyNotTestTurn() const;
   /// Why the set-up has nothing to scan with, whatever else is under way.
   [[nodiscard]] QString whyNoDevices() const;
@@ -39,6 +40,8 @@ class Permissions {
   [[nodiscard]] QString whyNotUndo() const;
   [[nodiscard]] QString whyNotRedo() const;
   [[nodiscard]] QString whyNotExport() const;
+  /// Why scans of files cannot be added to the open session.
+  [[nodiscard]] QString whyNotAddScans() const;
   [[nodiscard]] QString whyNotOpen() const;
   [[nodiscard]] QString whyNotClose() const;
 
