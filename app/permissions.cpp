@@ -1,6 +1,7 @@
 #include "permissions.h"
 
 #include "acquisition/may_do.h"
+#include "devices/real_rig.h"
 #include "refusal_text.h"
 
 namespace vantage {
@@ -39,7 +40,13 @@ QString Permissions::whyNoDevices() const {
   return tr("The simulated scanner needs an object: choose one.");
 }
 
+bool Permissions::takesAsTheyCome() const {
+  return at_.mode == Mode::Assisted && at_.setUp && turnedByHand(*at_.setUp) &&
+         startsByItself(at_.setUp->choice.rig.sensor);
+}
+
 QString Permissions::whyNotRun() const {
+  if (takesAsTheyCome()) return whyNotScan();
   if (at_.mode == Mode::Assisted)
     return tr("You turn the table yourself: scan one view at a time, or choose automatic.");
   if (at_.setUp && turnedByHand(*at_.setUp)) return tr("The table is turned by hand: choose assisted.");

@@ -31,6 +31,8 @@ class Permissions {
   explicit Permissions(Situation situation) : at_(std::move(situation)) {}
 
   [[nodiscard]] QString whyNotRun() const;
+  /// Whether scans come by themselves while a person turns the table.
+  [[nodiscard]] bool takesAsTheyCome() const;
   [[nodiscard]] QString whyNotScan() const;
   [[nodiscard]] QString whyNotTestScan() const;
   [[nodiscard]] QString whyNotTestTurn() const;

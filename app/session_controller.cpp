@@ -37,6 +37,7 @@ SessionController::SessionController(JobRunner& jobs, std::string cacheFolder, D
       testScans_(work_, jobs, devices_),
       calibrating_(work_, devices_) {
   connect(&work_, &Undertaking::activityChanged, this, &SessionController::activityChanged);
+  connect(&work_, &Undertaking::stepChanged, this, &SessionController::stepChanged);
   connect(&work_, &Undertaking::failed, this, &SessionController::failed);
   connect(&work_, &Undertaking::refused, this, &SessionController::refused);
   connect(&work_, &Undertaking::message, this, &SessionController::message);

@@ -41,6 +41,8 @@ class SessionController final : public QObject {
 
   [[nodiscard]] Activity activity() const { return work_.activity(); }
   [[nodiscard]] bool idle() const { return work_.idle(); }
+  /// The step that what is under way is at, as it calls it.
+  [[nodiscard]] const QString& stepOfWork() const { return work_.step(); }
 
   [[nodiscard]] const SetUpChoice& choice() const { return choice_; }
   /// A new choice; what was prepared for another one is dropped. Not while a session is open.
@@ -85,6 +87,9 @@ class SessionController final : public QObject {
   void step();
   /// What ended the last scan or run, as a sentence; empty when nothing failed, or something else was done since.
   [[nodiscard]] const QString& scanFailure() const { return work_.scanFailure(); }
+  /// Whether the next scan is taken whenever the scanner has one, and a person turns the table: run then takes one
+  /// after the other.
+  [[nodiscard]] bool takesAsTheyCome() const { return permissions().takesAsTheyCome(); }
   /// Whether a person can take the place of the table.
   [[nodiscard]] bool canTurnByHand() const;
   /// From now on a person turns the table.
@@ -138,6 +143,7 @@ class SessionController final : public QObject {
 
  signals:
   void activityChanged();
+  void stepChanged();
   void setUpChanged();
   void sessionChanged();  ///< opened, begun or closed
   void stateChanged();    ///< now, moments and cursor

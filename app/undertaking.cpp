@@ -2,6 +2,14 @@
 
 namespace vantage {
 
+Undertaking::Undertaking(JobRunner& jobs, QObject* parent) : QObject(parent), jobs_(jobs) {
+  connect(&jobs, &JobRunner::progressed, this, [this](int job, double /*fraction*/, const QString& step) {
+    if (job != job_ || idle() || step == step_) return;
+    step_ = step;
+    emit stepChanged();
+  });
+}
+
 void Undertaking::set(Activity activity) {
   if (activity_ == activity) return;
   activity_ = activity;

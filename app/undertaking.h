@@ -20,7 +20,7 @@ class Undertaking final : public QObject {
   Q_OBJECT
 
  public:
-  explicit Undertaking(JobRunner& jobs, QObject* parent = nullptr) : QObject(parent), jobs_(jobs) {}
+  explicit Undertaking(JobRunner& jobs, QObject* parent = nullptr);
 
   [[nodiscard]] Activity activity() const { return activity_; }
   [[nodiscard]] bool idle() const { return activity_ == Activity::Idle; }
@@ -35,6 +35,7 @@ class Undertaking final : public QObject {
     if (!idle()) return;
     *pause_ = false;
     scanFailure_.clear();
+    step_.clear();
     set(activity);
     job_ = jobs_.run<T>(
         title, std::move(process),
@@ -52,6 +53,9 @@ class Undertaking final : public QObject {
         });
   }
 
+  /// The step that it says it is at, as it calls it; empty before it said so.
+  [[nodiscard]] const QString& step() const { return step_; }
+
   /// Asks a run to end after the step that is under way.
   void pause();
   /// Whether what is under way is to pause: for the work itself, on any thread.
@@ -65,6 +69,7 @@ class Undertaking final : public QObject {
 
  signals:
   void activityChanged();
+  void stepChanged();
   void failed(const QString& what);   ///< one sentence for the operator
   void refused(const QString& why);   ///< what was asked for cannot be done now
   void message(const QString& what);  ///< for the log
@@ -76,6 +81,7 @@ class Undertaking final : public QObject {
   Activity activity_ = Activity::Idle;
   JobRunner::Id job_ = 0;
   const std::shared_ptr<std::atomic<bool>> pause_ = std::make_shared<std::atomic<bool>>(false);
+  QString step_;
   QString scanFailure_;
 };
 

@@ -132,11 +132,11 @@ void CalibratePage::refreshResult() {
   findings_->clear();
   use_->setVisible(calibrating.usable());
   verdict_->setText(calibrating.failure());
-  verdict_->setProperty("role", "warning");
+  setRole(*verdict_, "warning");
   if (result) {
     const TableCalibration& c = result->calibration;
     verdict_->setText(verdictText(c.verdict));
-    verdict_->setProperty("role", c.verdict == CalibrationVerdict::Good ? "section" : "warning");
+    setRole(*verdict_, c.verdict == CalibrationVerdict::Good ? "section" : "warning");
     QStringList sentences;
     for (const CalibrationFinding& finding : result->findings) sentences << sentenceOf(finding);
     findings_->setText(sentences.join(QLatin1Char('\n')));

@@ -114,7 +114,7 @@ void CheckPage::refresh() {
     figures_->add(tr("Object, height"), figureText(setUp->object->height, 1) + tr(" mm"));
     figures_->add(tr("Object, lowest point"), figureText(setUp->object->lowest, 1) + tr(" mm"), tr("0 is the table"));
   }
-  verdict_->setProperty("role", outside ? "warning" : "");
+  setRole(*verdict_, outside ? "warning" : "");
   if (setUp && setUp->profile) {
     figures_->add(tr("Positions of the scanner"), QString::number(setUp->profile->workspace.size()));
     figures_->add(tr("Ranging rays per scan"), QString::number(setUp->profile->rays->size()));

@@ -1,6 +1,6 @@
 #include "wizard/device_box.h"
 
-#include <QHBoxLayout>
+#include <QGridLayout>
 #include <QTimer>
 #include <QVBoxLayout>
 
@@ -33,12 +33,12 @@ DeviceBox::DeviceBox(SessionController& controller, QWidget* parent)
   column->addWidget(failure_);
   failure_->setObjectName(QStringLiteral("deviceFailure"));
   column->addWidget(connect_);
-  auto* row = new QHBoxLayout(tableRow_);
-  row->setContentsMargins(0, 0, 0, 0);
+  auto* grid = new QGridLayout(tableRow_);
+  grid->setContentsMargins(0, 0, 0, 0);
   for (const double degrees : {-30.0, -5.0, 5.0, 30.0}) addJog(degrees);
-  for (QPushButton* jog : jogs_) row->addWidget(jog);
-  row->addWidget(home_);
-  row->addWidget(stop_);
+  for (std::size_t i = 0; i < jogs_.size(); ++i) grid->addWidget(jogs_[i], 0, static_cast<int>(i));
+  grid->addWidget(home_, 1, 0, 1, 2);
+  grid->addWidget(stop_, 1, 2, 1, 2);
   column->addWidget(tableRow_);
   DeviceBench& bench = controller.bench();
   connect(connect_, &QPushButton::clicked, &bench, &DeviceBench::connectDevices);
@@ -56,7 +56,6 @@ void DeviceBox::addJog(double degrees) {
                         QString::number(std::abs(degrees), 'f', 0) + QStringLiteral("°");
   auto* jog =
       makeButton(angle, QStringLiteral("jog%1").arg(degrees), tr("Turn the table by %1 as it counts.").arg(angle));
-  jog->setMinimumWidth(1);
   connect(jog, &QPushButton::clicked, this, [this, degrees] { controller_.bench().jog(degrees); });
   jogs_.push_back(jog);
 }

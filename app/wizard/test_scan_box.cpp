@@ -99,12 +99,13 @@ void TestScanBox::refresh() {
   verdict_->setText(used == 0 ? tr("Nothing of the scan is used: look whether the object stands inside the viewing "
                                    "volume, and whether too much is cut.")
                               : QString());
-  verdict_->setProperty("role", used == 0 ? "warning" : "");
+  setRole(*verdict_, used == 0 ? "warning" : "");
   verdict_->setVisible(used == 0);
   for (const CutReason reason : kShown) {
     const std::size_t count = scan->counts[static_cast<std::size_t>(reason)];
     if (count > 0 || reason == CutReason::Kept)
-      figures_->add(keyOf(reason), tr("%1 samples").arg(figureText(static_cast<double>(count))));
+      figures_->add(keyOf(reason),
+                    count == 1 ? tr("1 sample") : tr("%1 samples").arg(figureText(static_cast<double>(count))));
   }
 }
 
