@@ -82,6 +82,7 @@ void run(const ImportArguments& args, CommandContext& context) {
   }
   const Progress progress = context.progress();
   std::vector<ReadScan> scans = readAll(args, profile.get(), progress.part(0.0, 0.1, "read scans"));
+  if (profile) requireSaidUnit(args.files, scans);
   const std::string lines = readingLines(args.files, scans);
   const std::vector<std::string> labels = labelsOf(args.files, scans);
   std::vector<RangeImage> images;

@@ -85,6 +85,17 @@ void ReadingArguments::addTo(CLI::App& command) {
       ->default_str("z");
 }
 
+void requireSaidUnit(const std::vector<std::string>& files, const std::vector<ReadScan>& scans) {
+  for (const ReadScan& scan : scans) {
+    if (scan.reading.unitKnownBy != KnownBy::Evidence || scan.reading.unit == 1.0) continue;
+    const auto known = lengthUnitOf(scan.reading.unit);
+    const std::string unit = known ? std::string(name(*known)) : std::to_string(scan.reading.unit) + " mm";
+    throw InvalidInput(files[scan.file] + ": seems to be in " + unit +
+                       ", in which its points are before the scanner and on its rays, not in mm: say --unit " + unit +
+                       ", or the unit that it is in");
+  }
+}
+
 std::string readingLines(const std::vector<std::string>& files, const std::vector<ReadScan>& scans) {
   std::vector<std::pair<std::string, std::string>> said;  // text, first file
   for (const ReadScan& scan : scans) {

@@ -23,6 +23,10 @@ class ReadingArguments {
 /// Millimetres in the unit of that name. @throws CLI::ValidationError when there is none
 [[nodiscard]] double unitNamed(const std::string& text);
 
+/// Scans of a scanner with a profile are in the unit that puts them on its rays: one that nobody said is asked for, not
+/// guessed. @throws InvalidInput naming the file, the unit and the option
+void requireSaidUnit(const std::vector<std::string>& files, const std::vector<ReadScan>& scans);
+
 /// Lines that say as what files were read, one for all that were read alike.
 [[nodiscard]] std::string readingLines(const std::vector<std::string>& files, const std::vector<ReadScan>& scans);
 
