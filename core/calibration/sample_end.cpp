@@ -78,10 +78,8 @@ std::vector<double> incidenceAngles(std::span<const RangeImage> scans, const Pro
   for (std::size_t k = 0; k < scans.size(); ++k) {
     progress.checkpoint(static_cast<double>(k) / static_cast<double>(scans.size()));
     const ViewMesh view = triangulate(scans[k], options);
-    for (const Triangle& triangle : view.mesh.triangles) {
-      const Vec3& ray = scans[k].rays->ray(view.sample[triangle[0]]).direction;
-      angles.push_back(std::acos(std::clamp(-ray.dot(triangleNormal(view.mesh, triangle)), 0.0, 1.0)));
-    }
+    // Of single triangles noise says that they lean more than they do.
+    for (const float cosine : view.confidence) angles.push_back(std::acos(std::min(1.0, static_cast<double>(cosine))));
   }
   return angles;
 }

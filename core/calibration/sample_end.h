@@ -21,7 +21,7 @@ struct SampleEnd {
 /// @pre there are angles
 [[nodiscard]] SampleEnd sampleEnd(std::span<const double> angles);
 
-/// The incidence angles of the triangles of scans, up to 85 degrees [rad]. @throws Cancelled
+/// The incidence angles of the samples of scans, up to 85 degrees [rad]. @throws Cancelled
 [[nodiscard]] std::vector<double> incidenceAngles(std::span<const RangeImage> scans, const Progress& progress);
 
 }  // namespace vantage
