@@ -72,6 +72,7 @@ void addRecordedScans(Acquisition& acquisition, const RecordedScans& recorded, c
     const Progress part = progress.part(static_cast<double>(i) / count, static_cast<double>(i + 1) / count);
     ReadScan scan =
         readScanAt(recorded.files[i], *setUp.profile, *position, recorded.reading, part.part(0.0, 0.2, "read scan"));
+    requireSaidUnit({recorded.files[i]}, {scan});
     if (turnedByHand(setUp)) {
       scan.image.poseKnownBy = PoseSource::ByHand;
       scan.image.poseUncertainty = kTurnedByHand;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/errors.h"
+#include "scanner/length_unit.h"
 
 namespace vantage {
 namespace {
@@ -56,11 +57,26 @@ std::vector<ReadScan> readRecordedScans(const RecordedScans& recorded, const Sca
                                         const Progress& progress) {
   if (anyPosition(recorded)) {
     checkPositions(recorded, profile);
-    return readAtPositions(recorded, *profile, progress);
+    std::vector<ReadScan> scans = readAtPositions(recorded, *profile, progress);
+    requireSaidUnit(recorded.files, scans);
+    return scans;
   }
   std::optional<std::vector<ScanPose>> list;
   if (!recorded.poses.empty()) list = readScanPoses(recorded.poses, 1.0);
-  return readScans(recorded.files, list ? &*list : nullptr, profile, recorded.reading, progress);
+  std::vector<ReadScan> scans = readScans(recorded.files, list ? &*list : nullptr, profile, recorded.reading, progress);
+  if (profile != nullptr) requireSaidUnit(recorded.files, scans);
+  return scans;
+}
+
+void requireSaidUnit(const std::vector<std::string>& files, const std::vector<ReadScan>& scans) {
+  for (const ReadScan& scan : scans) {
+    if (scan.reading.unitKnownBy != KnownBy::Evidence || scan.reading.unit == 1.0) continue;
+    const auto known = lengthUnitOf(scan.reading.unit);
+    const std::string unit = known ? std::string(name(*known)) : std::to_string(scan.reading.unit) + " mm";
+    throw InvalidInput(files[scan.file] + ": seems to be in " + unit +
+                       ", in which its points are before the scanner and on its rays, not in mm: say --unit " + unit +
+                       ", or the unit that it is in");
+  }
 }
 
 std::vector<std::string> labelsOf(const std::vector<std::string>& files, const std::vector<ReadScan>& scans) {

@@ -23,6 +23,10 @@ struct RecordedScans {
 [[nodiscard]] std::vector<ReadScan> readRecordedScans(const RecordedScans& recorded, const ScannerProfile* profile,
                                                       const Progress& progress = {});
 
+/// Scans of a scanner with a profile are in the unit that puts them on its rays: one that nobody said is asked for, not
+/// guessed. @throws InvalidInput naming the file, the unit and the option
+void requireSaidUnit(const std::vector<std::string>& files, const std::vector<ReadScan>& scans);
+
 /// What each scan is called: its file, with a number where one file is several scans.
 [[nodiscard]] std::vector<std::string> labelsOf(const std::vector<std::string>& files,
                                                 const std::vector<ReadScan>& scans);

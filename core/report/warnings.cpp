@@ -3,6 +3,7 @@
 #include <array>
 #include <string>
 
+#include "acquisition/hand_placing.h"
 #include "geometry/measures.h"
 #include "report/wording.h"
 
@@ -27,6 +28,13 @@ std::optional<WarningCode> codeOf(const KeptScan& scan) {
   return std::nullopt;
 }
 
+Warning warningOf(WarningCode code, const KeptScan& scan) {
+  const RegistrationResult& registration = scan.record.registration;
+  Warning warning{code, scan.number, registration.finding, {}, {}};
+  if (isLoose(scan)) warning.value = registration.poseSigma;
+  return warning;
+}
+
 bool endedEarly(Termination termination) {
   return termination != Termination::Running && termination != Termination::Finished &&
          termination != Termination::Imported;
@@ -42,14 +50,13 @@ std::string_view name(WarningCode code) {
 
 bool isSerious(const Warning& warning) {
   return warning.code != WarningCode::ScanDoubtful || !warning.finding ||
-         warning.finding->reason != VerdictReason::HeldByMechanics;
+         warning.finding->reason != VerdictReason::HeldByMechanics || warning.value.has_value();
 }
 
 std::vector<Warning> warningsOf(const AcquisitionState& state, std::size_t firstScan) {
   std::vector<Warning> warnings;
   for (std::size_t i = firstScan; i < state.scans.size(); ++i)
-    if (const auto code = codeOf(state.scans[i]))
-      warnings.push_back({*code, state.scans[i].number, state.scans[i].record.registration.finding, {}, {}});
+    if (const auto code = codeOf(state.scans[i])) warnings.push_back(warningOf(*code, state.scans[i]));
   const double covered = state.model ? area(state.model->mesh) : 0.0;
   const bool ended = state.termination != Termination::Running;
   if (!(covered > 0.0)) {
@@ -68,6 +75,9 @@ Phrase phraseOf(const Warning& warning) {
     case WarningCode::ScanRejected:
       return words("scan %1 was rejected and is not in the model: %2", {scan, finding});
     case WarningCode::ScanDoubtful:
+      if (warning.value)
+        return words("scan %1, whose table was turned by hand, is doubtful and may be off by %2 mm: %3",
+                     {scan, figure(*warning.value, 1), finding});
       return words("scan %1 is doubtful: %2", {scan, finding});
     case WarningCode::ScanWaiting:
       return words("scan %1 waits until it is known how the object stood", {scan});

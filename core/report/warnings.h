@@ -27,12 +27,12 @@ struct Warning {
   WarningCode code = WarningCode::NothingCovered;
   std::optional<std::int64_t> scan;        ///< its number, for warnings of scans
   std::optional<Finding> finding;          ///< what its verdict rests on
-  std::optional<double> value;             ///< what the code says
+  std::optional<double> value;             ///< what the code says; how far a scan turned by hand may be off [mm]
   std::optional<Termination> termination;  ///< of an acquisition that ended early
 };
 
 /// Whether it speaks against the result. A scan of a body of revolution, say, that surface and mechanics hold together
-/// is as good as it can be: that is said, and no more.
+/// is as good as it can be: that is said, and no more. Where a person turned the table, mechanics hold nothing.
 [[nodiscard]] bool isSerious(const Warning& warning);
 
 /// What is not well about the scans from the index on, and about the whole.

@@ -62,6 +62,24 @@ TEST(Warnings, OfAPoseThatMechanicsHoldAreNotSerious) {
   EXPECT_FALSE(isSerious(warningsOf(state)[0]));
 }
 
+TEST(Warnings, WhatNobodyKnowsOfAScanTurnedByHandIsSerious) {
+  AcquisitionState state = finishedState();
+  KeptScan scan = scanWith(1, ScanStatus::In, Verdict::Doubtful);
+  scan.record.registration.finding = {VerdictReason::HeldByMechanics, {}, {{WeakMotion::Kind::Turn, Vec3::UnitZ()}}};
+  scan.record.registration.poseSigma = 4.2;
+  RangeImage image;
+  image.poseKnownBy = PoseSource::ByHand;
+  image.poseUncertainty = Mechanics{radians(7.5), 3.0};
+  scan.view.image = std::make_shared<const RangeImage>(image);
+  ViewMesh mesh;
+  mesh.spacing = 1.0;
+  scan.view.mesh = std::make_shared<const ViewMesh>(mesh);
+  state.scans.push_back(scan);
+  ASSERT_EQ(warningsOf(state).size(), 1U);
+  EXPECT_TRUE(isSerious(warningsOf(state)[0]));
+  EXPECT_NE(describe(warningsOf(state)[0]).find("by hand, is doubtful and may be off by 4.2 mm"), std::string::npos);
+}
+
 TEST(Warnings, SayThatAnAcquisitionIsNotFinished) {
   AcquisitionState state = finishedState();
   state.termination = Termination::NoOverlap;
