@@ -14,15 +14,15 @@ class RigKeeper {
   explicit RigKeeper(DeviceFactory factory) : factory_(std::move(factory)) {}
 
   /// The open devices of a set-up: those of the last time, when they can still be used.
-  /// @param standsAt position at which the table stands, if it has to be opened. @throws DeviceError, Cancelled
-  [[nodiscard]] Rig open(const SharedSetUp& setUp, std::int64_t scansBefore, std::optional<int> standsAt,
+  /// @param stands where the table stands, if it has to be opened. @throws DeviceError, Cancelled
+  [[nodiscard]] Rig open(const SharedSetUp& setUp, std::int64_t scansBefore, const TableStand& stands,
                          const Progress& progress) {
     if (!std::holds_alternative<RealDevices>(*setUp->devices))
       return factory_.open(*setUp->devices, scansBefore, progress);
     if (rig_ && of_ == setUp && !rig_->sensor->notReady() && !rig_->positioner->notReady()) return *rig_;
     rig_.reset();
     RealDevices devices = std::get<RealDevices>(*setUp->devices);
-    devices.standsAt = standsAt.value_or(0);
+    devices.stands = stands;
     rig_ = factory_.open(devices, scansBefore, progress);
     of_ = setUp;
     return *rig_;

@@ -3,12 +3,14 @@
 #include <utility>
 
 #include "acquisition/further_scan.h"
+#include "acquisition/table_place.h"
 #include "base/atomic_file.h"
 #include "base/errors.h"
 #include "ending_text.h"
 #include "io/mesh_writer.h"
 #include "io/output_file.h"
 #include "report/loss_wording.h"
+#include "session/table_note.h"
 #include "session_start.h"
 #include "wording.h"
 
@@ -192,7 +194,9 @@ void SessionController::scanInBackground(bool untilTheEnd) {
        untilTheEnd](const Progress& progress) mutable {
         const bool isNew = !session;
         if (isNew) session = createSession(*setUp);
-        const Rig rig = devices->open(setUp, session->scanCount(), vantage::tablePosition(*session), progress);
+        const auto left = tableLeft(*session);
+        Rig rig = devices->open(setUp, session->scanCount(), left ? left->stand : TableStand{}, progress);
+        if (std::holds_alternative<RealDevices>(*setUp->devices)) rig = remarked(rig, *session);
         Acquisition acquisition(*session, {rig, setUp->images}, publisher(session));
         if (isNew) {
           if (mode != acquisition.state()->mode) acquisition.carryOut(ChangeMode{mode});

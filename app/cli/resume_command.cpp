@@ -13,6 +13,7 @@
 #include "cli/session_run.h"
 #include "cli/settings_arguments.h"
 #include "session/import_note.h"
+#include "session/table_note.h"
 
 namespace vantage {
 namespace {
@@ -45,15 +46,19 @@ void runDevices(Session& session, const ResumeArguments& args, const std::string
                        "--rig, what is there to go on with");
   const bool simulated = isSimulated(file.rig);
   const bool byHand = std::holds_alternative<HandTableDevice>(file.rig.table);
-  PersonAtTable person(session.profile(), tablePosition(session).value_or(0), args.events, context);
+  const TableLeft table = tableLeft(session).value_or(TableLeft{});
+  PersonAtTable person(session.profile(), table.stand.position, args.events, context);
   HandTable::AskPerson ask;
   if (byHand) ask = [&](int position, const Progress& progress) { person.ask(position, progress); };
-  DeviceSetUp devices =
-      RealDevices{file.rig, session.profile(), ask, args.reading.options(), tablePosition(session).value_or(0)};
+  DeviceSetUp devices = RealDevices{file.rig, session.profile(), ask, args.reading.options(), table.stand};
   if (simulated) {
     const auto object = std::make_shared<const Mesh>(session.object(context.progress()));
     devices = Simulated{object, session.profile(), {settings.simulation.seed, settings.simulation.ideal}, ask};
   }
+  if (table.underWayTo && std::holds_alternative<SerialTableDevice>(file.rig.table))
+    context.note("the table was left in a move from position " + std::to_string(table.stand.position) +
+                 " to position " + std::to_string(*table.underWayTo) +
+                 ", so it is taken to stand at the first; where it really stands, the next scan that fits will tell");
   SessionRun(session, out, context).run(devices, byHand || args.events ? &person : nullptr);
 }
 

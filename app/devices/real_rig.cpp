@@ -52,7 +52,7 @@ struct TableMaking {
   std::shared_ptr<Positioner> operator()(const Device& device) const {
     const bool startsByItself = std::holds_alternative<FolderDevice>(setUp.rig.sensor);
     return std::make_shared<TurntablePositioner>(setUp.profile, turntableOf(TableDevice(device)),
-                                                 TurntableUse{setUp.standsAt, startsByItself});
+                                                 TurntableUse{setUp.stands, startsByItself});
   }
 };
 
