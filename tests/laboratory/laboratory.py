@@ -92,11 +92,11 @@ class Case(unittest.TestCase):
         hidden = self.folder / "vendor"
         hidden.mkdir()
         program = self.vendor(*options, out=hidden, stdout=subprocess.PIPE, **more)
-        self.addCleanup(program.stdout.close)
 
         def carry():
-            for number, line in enumerate(program.stdout, 1):
-                deliver(number, hidden / json.loads(line)["file"])
+            with program.stdout as lines:
+                for number, line in enumerate(lines, 1):
+                    deliver(number, hidden / json.loads(line)["file"])
         threading.Thread(target=carry, daemon=True).start()
         return program
 
