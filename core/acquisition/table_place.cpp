@@ -56,8 +56,9 @@ std::vector<std::int64_t> scansTurnedBack(const AcquisitionState& state) {
   const KeptScan* before = nullptr;
   for (const KeptScan* scan : scansOf(state, ScanStatus::In)) {
     const bool slipped = scan->record.registration.finding.reason == VerdictReason::TableSlipped;
-    const bool sameStand = before != nullptr && before->station().stand == scan->station().stand;
-    if (slipped && sameStand && turnedBack(before->view, scan->view)) scans.push_back(scan->number);
+    if (slipped && before != nullptr && before->view.image && scan->view.image &&
+        before->station().stand == scan->station().stand && turnedBack(before->view, scan->view))
+      scans.push_back(scan->number);
     before = scan;
   }
   return scans;
