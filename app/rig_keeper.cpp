@@ -18,7 +18,7 @@ bool RigKeeper::keeps(const SetUp& setUp) const {
   return rig_ && of_ && of_->choice.rig == setUp.choice.rig && of_->profile == setUp.profile;
 }
 
-RigKeeper::Use RigKeeper::open(const SharedSetUp& setUp, std::int64_t scansBefore, std::optional<int> standsAt,
+RigKeeper::Use RigKeeper::open(const SharedSetUp& setUp, std::int64_t scansBefore, const TableStand& stands,
                                const Progress& progress) {
   std::unique_lock alone(inUse_, std::defer_lock);
   while (!alone.try_lock_for(kSlice)) progress.checkpoint(0.0);
@@ -31,7 +31,7 @@ RigKeeper::Use RigKeeper::open(const SharedSetUp& setUp, std::int64_t scansBefor
   if (!keeps(*setUp) || rig_->sensor->notReady() || rig_->positioner->notReady()) {
     rig_.reset();
     RealDevices devices = *real;
-    devices.standsAt = standsAt.value_or(0);
+    devices.stands = stands;
     rig_ = factory_.open(devices, scansBefore, progress);
     of_ = setUp;
   }

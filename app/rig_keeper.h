@@ -32,8 +32,8 @@ class RigKeeper {
 
   /// The open devices of a set-up: those of the last time, when they are its own and can still be used. Waits for who
   /// uses them now.
-  /// @param standsAt position at which the table stands, if it has to be opened. @throws DeviceError, Cancelled
-  [[nodiscard]] Use open(const SharedSetUp& setUp, std::int64_t scansBefore, std::optional<int> standsAt,
+  /// @param stands where the table stands, if it has to be opened. @throws DeviceError, Cancelled
+  [[nodiscard]] Use open(const SharedSetUp& setUp, std::int64_t scansBefore, const TableStand& stands,
                          const Progress& progress);
 
   /// The devices of the last time, usable or not, when they are those of the set-up and nobody uses them; else nothing.

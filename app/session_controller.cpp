@@ -3,12 +3,14 @@
 #include <utility>
 
 #include "acquisition/further_scan.h"
+#include "acquisition/table_place.h"
 #include "base/atomic_file.h"
 #include "base/errors.h"
 #include "ending_text.h"
 #include "io/mesh_writer.h"
 #include "io/output_file.h"
 #include "report/loss_wording.h"
+#include "session/table_note.h"
 #include "session_start.h"
 #include "wording.h"
 
@@ -225,10 +227,13 @@ void SessionController::scanInBackground(bool untilTheEnd) {
        untilTheEnd](const Progress& progress) mutable {
         const bool isNew = !session;
         // Without devices there is nothing that a session could be begun with.
-        RigKeeper::Use use = devices->open(setUp, isNew ? 0 : session->scanCount(),
-                                           isNew ? std::nullopt : vantage::tablePosition(*session), progress);
+        const auto left = isNew ? std::nullopt : tableLeft(*session);
+        RigKeeper::Use use =
+            devices->open(setUp, isNew ? 0 : session->scanCount(), left ? left->stand : TableStand{}, progress);
         if (isNew) session = createSession(*setUp);
-        Acquisition acquisition(*session, {use.rig(), setUp->images}, publisher(session));
+        Rig rig = use.rig();
+        if (std::holds_alternative<RealDevices>(*setUp->devices)) rig = remarked(rig, *session);
+        Acquisition acquisition(*session, {rig, setUp->images}, publisher(session));
         if (isNew) {
           if (mode != acquisition.state()->mode) acquisition.carryOut(ChangeMode{mode});
           begun(session);

@@ -13,6 +13,7 @@
 #include "positional_space/scanner_images_cache.h"
 #include "report/report.h"
 #include "report/wording.h"
+#include "session/table_note.h"
 
 namespace vantage {
 namespace {
@@ -96,7 +97,8 @@ void SessionRun::run(const DeviceSetUp& devices, PersonAtTable* person) {
     AcquisitionState cancelled = *last_;
     cancelled.termination = Termination::Cancelled;
     last_ = std::make_shared<const AcquisitionState>(std::move(cancelled));
-    writeResults();
+    // Without a scan nothing is left, and the same command may come again.
+    if (session_.scanCount() > 0) writeResults();
     throw;
   }
   writeResults();
@@ -123,6 +125,7 @@ void SessionRun::acquireAll(const DeviceSetUp& devices, PersonAtTable* person) {
       *profile, cacheDirectory(), context_.progress().part(0.0, 1.0, "positional space of the scanner")));
   // Scans that were taken before have moved a simulated turntable, whatever became of them.
   Rig rig = DeviceFactory().open(devices, session_.scanCount(), context_.progress());
+  if (std::holds_alternative<RealDevices>(devices)) rig = remarked(rig, session_);
   if (person != nullptr) rig = person->told(rig);
   if (const auto unused = session_.unusedScan())
     context_.note("scan " + std::to_string(unused->number) + " was not yet added: going on with it");

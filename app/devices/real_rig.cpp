@@ -52,7 +52,7 @@ struct TableMaking {
   template <typename Device>
   std::shared_ptr<Positioner> operator()(const Device& /*turns*/) const {
     return std::make_shared<TurntablePositioner>(setUp.profile, table,
-                                                 TurntableUse{setUp.standsAt, startsByItself(setUp.rig.sensor)});
+                                                 TurntableUse{setUp.stands, startsByItself(setUp.rig.sensor)});
   }
 };
 

@@ -23,7 +23,8 @@ constexpr double kEqualDepth = 1e-6;
 constexpr double kFarGap = 3.0;
 constexpr double kSomeGap = 0.5;
 constexpr double kDistinctShare = 0.5;
-// Farther from the median than this many times the middle half of the values.
+// Farther from the median than this many times the middle half of the values, along the axis where that is widest: a
+// wall is as thin as its noise along one.
 constexpr double kOutOfProportion = 1000.0;
 
 std::vector<Vec3> pointsOf(const SampleGrid& grid) {
@@ -59,7 +60,7 @@ class Dropper {
     dropZeros();
     while (dropRepeated()) {
     }
-    for (int k = 0; k < 3; ++k) dropOutliers(k);
+    dropOutliers();
     for (const bool high : {false, true}) dropPlane(high);
     return found_;
   }
@@ -91,15 +92,21 @@ class Dropper {
     return true;
   }
 
-  void dropOutliers(int k) {
-    std::vector<double> values;
-    for (const Vec3& p : pointsOf(grid_)) values.push_back(p[k]);
-    if (values.size() < 4) return;
-    std::sort(values.begin(), values.end());
-    const double middle = values[values.size() / 2];
-    const double half = values[3 * values.size() / 4] - values[values.size() / 4];
+  void dropOutliers() {
+    const std::vector<Vec3> points = pointsOf(grid_);
+    if (points.size() < 4) return;
+    Vec3 middle;
+    double half = 0.0;
+    for (int k = 0; k < 3; ++k) {
+      std::vector<double> values;
+      for (const Vec3& p : points) values.push_back(p[k]);
+      std::sort(values.begin(), values.end());
+      middle[k] = values[values.size() / 2];
+      half = std::max(half, values[3 * values.size() / 4] - values[values.size() / 4]);
+    }
     if (!(half > 0.0)) return;
-    take(NoSampleMark::Outlier, [&](const Vec3& p) { return std::abs(p[k] - middle) > kOutOfProportion * half; });
+    take(NoSampleMark::Outlier,
+         [&](const Vec3& p) { return (p - middle).cwiseAbs().maxCoeff() > kOutOfProportion * half; });
   }
 
   // The samples of the least or the greatest depth.

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "acquisition/hand_placing.h"
+#include "acquisition/table_place.h"
 #include "geometry/measures.h"
 #include "report/wording.h"
 
@@ -44,7 +45,8 @@ bool endedEarly(Termination termination) {
 
 std::string_view name(WarningCode code) {
   constexpr std::array<std::string_view, static_cast<std::size_t>(kLastWarningCode) + 1> kNames{
-      "scan_rejected", "scan_doubtful", "scan_waiting", "nothing_covered", "little_covered", "ended_early"};
+      "scan_rejected",  "scan_doubtful", "scan_waiting",    "nothing_covered",
+      "little_covered", "ended_early",   "table_turns_back"};
   return kNames[static_cast<std::size_t>(code)];
 }
 
@@ -57,6 +59,10 @@ std::vector<Warning> warningsOf(const AcquisitionState& state, std::size_t first
   std::vector<Warning> warnings;
   for (std::size_t i = firstScan; i < state.scans.size(); ++i)
     if (const auto code = codeOf(state.scans[i])) warnings.push_back(warningOf(*code, state.scans[i]));
+  for (const std::int64_t scan : scansTurnedBack(state)) {
+    const bool asked = firstScan < state.scans.size() && scan >= state.scans[firstScan].number;
+    if (asked) warnings.push_back({WarningCode::TableTurnsBack, scan, {}, {}, {}});
+  }
   const double covered = state.model ? area(state.model->mesh) : 0.0;
   const bool ended = state.termination != Termination::Running;
   if (!(covered > 0.0)) {
@@ -86,6 +92,11 @@ Phrase phraseOf(const Warning& warning) {
     case WarningCode::LittleCovered:
       return words("little is covered: there are positions that would still show %1 % of what the model has",
                    {figure(100.0 * warning.value.value_or(0.0))});
+    case WarningCode::TableTurnsBack:
+      return words(
+          "scan %1 fits where the table would have turned the other way: if it always does, calibrate it, or say that "
+          "its sense is -1",
+          {scan});
     case WarningCode::EndedEarly:
       return words("the acquisition is not finished: %1",
                    {asIs(std::string(sentenceOf(warning.termination.value_or(Termination::Running))))});

@@ -18,8 +18,9 @@ enum class WarningCode : std::uint8_t {
   NothingCovered,  ///< the model has no surface
   LittleCovered,   ///< positions would still show more than a small share of the model [share]
   EndedEarly,      ///< the acquisition ended for another reason than that nothing more is to be seen
+  TableTurnsBack,  ///< the scan fits where the table would have turned the other way
 };
-inline constexpr WarningCode kLastWarningCode = WarningCode::EndedEarly;
+inline constexpr WarningCode kLastWarningCode = WarningCode::TableTurnsBack;
 /// "scan_rejected", "scan_doubtful", ...
 [[nodiscard]] std::string_view name(WarningCode code);
 

@@ -81,6 +81,10 @@ ReachedPose PatientPositioner::moveTo(int position, const Progress& progress) {
       progress);
 }
 
+void PatientPositioner::standsFarther(double angle) {
+  if (!patience_.hanging()) positioner_->standsFarther(angle);
+}
+
 std::optional<ReachedPose> PatientPositioner::where() const {
   if (patience_.hanging()) return {};
   return positioner_->where();

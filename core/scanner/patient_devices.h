@@ -41,6 +41,7 @@ class PatientPositioner final : public Positioner {
   void close() noexcept override;
   [[nodiscard]] std::optional<std::string> notReady() const override;
   [[nodiscard]] ReachedPose moveTo(int position, const Progress& progress) override;
+  void standsFarther(double angle) override;
   [[nodiscard]] std::optional<ReachedPose> where() const override;
 
  private:

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <optional>
 
 #include "scanner/device.h"
@@ -11,6 +12,8 @@ namespace vantage {
 struct TableAngle {
   double degrees = 0.0;                      ///< as the table counts, not reduced to one turn
   PoseSource knownBy = PoseSource::Unknown;  ///< Reported where the device tells it, Commanded where it cannot
+  /// When it was last seen to turn on its way there; nothing where nobody can see that.
+  std::optional<std::chrono::system_clock::time_point> turnedUntil = {};
 };
 
 /// A table that turns to an angle of its own count. Which way and how far it really turns is for its calibration to say

@@ -53,7 +53,7 @@ TEST_F(RigKeeperTest, OneUserAtATime) {
 }
 
 TEST_F(RigKeeperTest, ATableStandsWhereTheSessionLeftIt) {
-  const RigKeeper::Use use = keeper_.open(setUp_, 5, 6, {});
+  const RigKeeper::Use use = keeper_.open(setUp_, 5, TableStand{6, 0.0, 0.0}, {});
   EXPECT_EQ(use.rig().positioner->moveTo(6, {}).position, 6);
   EXPECT_NEAR(devices_.table->counted, 0.0, 1e-9);
 }

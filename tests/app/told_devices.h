@@ -85,7 +85,7 @@ struct ToldDevices {
       ++made;
       const auto& real = std::get<RealDevices>(setUp);
       return Rig{std::make_shared<SensorBeforeTable>(smallObject(), real.profile, table),
-                 std::make_shared<TurntablePositioner>(real.profile, table, TurntableUse{real.standsAt, false}), table};
+                 std::make_shared<TurntablePositioner>(real.profile, table, TurntableUse{real.stands, false}), table};
     });
   }
 };

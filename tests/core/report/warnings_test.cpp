@@ -114,5 +114,27 @@ TEST(Warnings, HaveACodeAndWordsEach) {
   EXPECT_EQ(texts.size(), names.size());
 }
 
+// The views of a table that says it turned by `said`, found as if it had turned by `found` [degrees].
+std::vector<WarningCode> codesOfTurn(double said, double found) {
+  AcquisitionState state = finishedState();
+  state.scans.push_back(scanWith(1, ScanStatus::In, Verdict::Doubtful));
+  state.scans[1].record.registration.finding = {VerdictReason::TableSlipped, said - found, {}};
+  const Pose start = Eigen::Translation3d(Vec3(300.0, 0.0, 100.0)) * Pose::Identity();
+  const double angles[][2] = {{0.0, 0.0}, {said, found}};
+  for (std::size_t i = 0; i < 2; ++i) {
+    RangeImage image;
+    image.T_table_scanner = Eigen::AngleAxisd(radians(angles[i][0]), Vec3::UnitZ()) * start;
+    state.scans[i].view.image = std::make_shared<const RangeImage>(std::move(image));
+    state.scans[i].view.T_object_scanner = Eigen::AngleAxisd(radians(angles[i][1]), Vec3::UnitZ()) * start;
+  }
+  return codes(state);
+}
+
+TEST(Warnings, ATableThatTurnsTheOtherWayIsSaid) {
+  EXPECT_EQ(codesOfTurn(40.0, -40.5), (std::vector{WarningCode::ScanDoubtful, WarningCode::TableTurnsBack}));
+  EXPECT_EQ(codesOfTurn(40.0, 28.0), (std::vector{WarningCode::ScanDoubtful}));
+  EXPECT_EQ(codesOfTurn(180.0, -180.0), (std::vector{WarningCode::ScanDoubtful}));
+}
+
 }  // namespace
 }  // namespace vantage
