@@ -32,11 +32,12 @@ class ColouredScans : public ::testing::Test {
   [[nodiscard]] std::string scan(int i) const { return folder_.file("scan" + std::to_string(i) + ".ply"); }
 
   // What the command says on standard output.
-  std::string run(std::vector<std::string> arguments) const {
-    arguments.insert(arguments.begin(), VANTAGE_CLI);
-    arguments.insert(arguments.end(), {"--threads", "1"});
+  std::string run(const std::vector<std::string>& arguments) const {
+    std::vector<std::string> command{VANTAGE_CLI};
+    command.insert(command.end(), arguments.begin(), arguments.end());
+    command.insert(command.end(), {"--threads", "1"});
     const std::string log = folder_.file("log");
-    const int code = testing::ChildProgram(arguments, log).wait();
+    const int code = testing::ChildProgram(command, log).wait();
     const std::string said(FileBytes(log).text());
     EXPECT_TRUE(code == 0 || code == 4) << code << ": " << said;
     return said;

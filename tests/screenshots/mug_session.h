@@ -14,7 +14,7 @@ namespace vantage::testing {
 [[nodiscard]] SharedSnapshot mugUnderWay();
 [[nodiscard]] SharedSnapshot mugFinished();
 
-/// The same of a mug with blue and ochre rings and red to one side; the scans of the first views saw no colours.
+/// The same of a mug with blue and green rings, redder to one side; the scans of the first views saw no colours.
 [[nodiscard]] SharedSnapshot paintedMug(std::size_t viewsWithout = 0);
 
 }  // namespace vantage::testing

@@ -121,7 +121,7 @@ TEST_P(Views, ModelInTheColoursOfItsScans) {
 }
 
 TEST_P(Views, ModelOfWhichSomeScansSawNoColours) {
-  const QImage image = model(paintedMug(4), {.voidPatches = false});
+  const QImage image = model(paintedMug(8), {.voidPatches = false});
   expectLegend(image, "Surface in its colours", true);
   expectLegend(image, "no colour was measured", false);
   EXPECT_TRUE(matchesBaseline(image, named("model_colours_mixed")));

@@ -58,11 +58,5 @@ TEST(SessionColours, AreThoseOfThePaint) {
   EXPECT_LE(most, 3);
 }
 
-TEST(ModelColours, AreNoneWithoutAModelOrColours) {
-  EXPECT_TRUE(coloursOf({}).empty());
-  const testing::TemporaryFolder folder;
-  EXPECT_TRUE(coloursOf(*testing::importSmallScans(folder.file("plain.vantage")).state()).empty());
-}
-
 }  // namespace
 }  // namespace vantage
