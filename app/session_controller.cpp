@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "acquisition/further_scan.h"
+#include "acquisition/model_colours.h"
 #include "acquisition/table_place.h"
 #include "base/atomic_file.h"
 #include "base/errors.h"
@@ -434,7 +435,8 @@ void SessionController::exportModel(const QString& path) {
       Activity::Writing, tr("Writing %1").arg(path),
       [state = now_, path = path.toStdString(), inputs = filesInUse()](const Progress& progress) {
         checkOutput(path, OutputKind::Mesh, inputs);
-        vantage::exportModel(*state->model, path, progress, worldOffset(outlineOf(*state)));
+        const VertexColours colours = holdsColours(path) ? coloursOf(*state, progress.part(0.0, 0.5)) : VertexColours{};
+        vantage::exportModel(*state->model, path, progress.part(0.5, 1.0), worldOffset(outlineOf(*state)), colours);
         return true;
       },
       [this, path](bool) { emit written(path); });

@@ -3,6 +3,7 @@
 #include <array>
 #include <filesystem>
 
+#include "acquisition/model_colours.h"
 #include "base/errors.h"
 #include "cli/text.h"
 #include "io/mesh_writer.h"
@@ -35,10 +36,13 @@ void AcquisitionResults::mustBeReplaceable(const std::vector<std::string>& input
   for (const char* name : kModels) checkOutput(file(name), OutputKind::Mesh, inputs);
 }
 
-void AcquisitionResults::write(const AcquisitionState& state, const nlohmann::ordered_json& report) const {
+void AcquisitionResults::write(const AcquisitionState& state, const nlohmann::ordered_json& report,
+                               const Progress& progress) const {
   writeTextFile(file(kReport), report.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
   if (!state.model) return;
-  for (const char* name : kModels) exportModel(*state.model, file(name));
+  const VertexColours colours = coloursOf(state, progress.part(0.0, 0.5));
+  for (const char* name : kModels)
+    exportModel(*state.model, file(name), progress.part(0.5, 1.0), Vec3::Zero(), colours);
 }
 
 }  // namespace vantage

@@ -150,7 +150,8 @@ void SessionRun::acquireAll(const DeviceSetUp& devices, PersonAtTable* person) {
 
 void SessionRun::writeResults() {
   report_ = makeReport(*last_, VANTAGE_VERSION);
-  results_.write(*last_, report_);
+  // Whatever stopped the run: what it came to is written.
+  results_.write(*last_, report_, Progress({}, {}, context_.progress().threads()));
 }
 
 void SessionRun::announce() {
