@@ -19,10 +19,10 @@ FinishPage::FinishPage(SessionController& controller, QWidget* parent)
                     tr("Triangles only, for printing and CAD."), true),
           &QPushButton::clicked, this, exportTo(QStringLiteral("model.stl")));
   connect(addExport(tr("Export &PLY"), QStringLiteral("exportPly"), QStringLiteral("model.ply"),
-                    tr("With confidence, and colour where scans have it, per vertex and a view per face."), false),
+                    tr("With a confidence per vertex and a view per face."), false),
           &QPushButton::clicked, this, exportTo(QStringLiteral("model.ply")));
   connect(addExport(tr("Export &OBJ"), QStringLiteral("exportObj"), QStringLiteral("model.obj"),
-                    tr("Text that nearly every program reads; with colours as PLY."), false),
+                    tr("Text that nearly every program reads."), false),
           &QPushButton::clicked, this, exportTo(QStringLiteral("model.obj")));
   connect(addExport(tr("Export &as…"), QStringLiteral("exportAs"), {}, tr("To a file of your choice."), false),
           &QPushButton::clicked, this, [this] {

@@ -16,7 +16,7 @@ constexpr std::size_t kLeast = 5;  // angles in a degree, and bins that are to h
 // Of what surface that leans all ways gives: where it ends, and where it has surely not, and has surely.
 constexpr double kHalf = 0.5;
 constexpr double kNearlyAll = 0.8;
-constexpr double kNearlyNone = 0.1;
+constexpr double kNearlyNone = 0.03;
 constexpr double kMost = 0.985;  // of any angles are below their end
 
 using Density = std::array<double, kEnd>;

@@ -48,7 +48,8 @@ class ColouredScans : public ::testing::Test {
     std::string positions;
     for (int i = 0; i < kScans; ++i) {
       arguments.push_back(scan(i));
-      positions += (i > 0 ? "," : "") + std::to_string(i * kStep);
+      if (i > 0) positions += ',';
+      positions += std::to_string(i * kStep);
     }
     arguments.insert(arguments.end(), {"--scanner", folder_.file("scanner.json"), "--position", positions, "--session",
                                        folder_.file("s.vantage")});

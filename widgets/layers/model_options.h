@@ -14,7 +14,7 @@ enum class VoidColouring : std::uint8_t { EdgeClass, State };
 /// What of a session the model view shows.
 struct ModelViewOptions {
   /// Unset: in its colours where the model has some, else plain.
-  std::optional<ModelColouring> colouring;
+  std::optional<ModelColouring> colouring = std::nullopt;
   VoidColouring voidColouring = VoidColouring::EdgeClass;
   bool surface = true;
   bool boundary = true;
