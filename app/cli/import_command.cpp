@@ -11,6 +11,7 @@
 #include "io/recorded_scans.h"
 #include "session/import_note.h"
 #include "session/session.h"
+#include "session/session_place.h"
 
 namespace vantage {
 namespace {
@@ -39,6 +40,17 @@ void checkPositions(const ImportArguments& args, const ScannerProfile* profile) 
   if (!args.poses.empty()) throw InvalidInput("--position and --poses both say where the scans were taken: give one");
 }
 
+// Before anything is made of the scans.
+void checkPlace(const ImportArguments& args) {
+  try {
+    checkSessionPlace(args.session, args.replace);
+  } catch (const InvalidInput& e) {
+    const std::size_t others = args.files.size() - 1;
+    throw InvalidInput(std::string(e.what()) + "; not imported: " + args.files.front() +
+                       (others > 0 ? " and " + std::to_string(others) + " more" : ""));
+  }
+}
+
 void run(const ImportArguments& args, CommandContext& context) {
   std::optional<ProfileSource> source;
   std::shared_ptr<const ScannerProfile> profile;
@@ -50,6 +62,7 @@ void run(const ImportArguments& args, CommandContext& context) {
   checkPositions(args, profile.get());
   std::vector<ReadScan> scans =
       readRecordedScans(recordedScans(args), profile.get(), progress.part(0.0, 0.1, "read scans"));
+  checkPlace(args);
   const std::string lines = readingLines(args.files, scans);
   const std::vector<std::string> labels = labelsOf(args.files, scans);
   std::vector<RangeImage> images;
