@@ -7,6 +7,7 @@
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLineEdit>
+#include <QRegularExpression>
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -61,6 +62,23 @@ QComboBox* makeBox(const QString& name, const QString& title, const QString& hel
   return box;
 }
 
+QLineEdit* makeEdit(const QString& name, const QString& title, const QString& help, const QString& placeholder) {
+  auto* edit = new QLineEdit;
+  edit->setObjectName(name);
+  edit->setAccessibleName(title);
+  edit->setToolTip(help);
+  edit->setPlaceholderText(placeholder);
+  return edit;
+}
+
+// "480x640": both at least 2. Nothing for anything else.
+std::optional<GridSize> gridIn(const QString& text) {
+  static const QRegularExpression kGrid(QStringLiteral("^\\s*(\\d{1,6})\\s*[x×]\\s*(\\d{1,6})\\s*$"));
+  const auto match = kGrid.match(text);
+  const GridSize grid{match.captured(1).toULongLong(), match.captured(2).toULongLong()};
+  return match.hasMatch() && grid.rows >= 2 && grid.columns >= 2 ? std::optional(grid) : std::nullopt;
+}
+
 }  // namespace
 
 ImportDialog::ImportDialog(SessionController& controller, Into into, QWidget* parent)
@@ -74,11 +92,18 @@ ImportDialog::ImportDialog(SessionController& controller, Into into, QWidget* pa
       unit_(makeBox(QStringLiteral("importUnit"), tr("Unit"), tr("What the command line calls --unit."))),
       frame_(makeBox(QStringLiteral("importFrame"), tr("Where the scanner looks"),
                      tr("In the coordinates of the files; what the command line calls --frame."))),
+      grid_(makeEdit(QStringLiteral("importGrid"), tr("Rows and columns"),
+                     tr("Of points as text, one line for every cell; what the command line calls --grid."),
+                     tr("As the files say, for instance 480x640"))),
+      noSample_(
+          makeEdit(QStringLiteral("importNoSample"), tr("Where nothing was measured"),
+                   tr("The value that stands where nothing was measured; what the command line calls --no-sample."),
+                   tr("As it is found, for instance 0 or -9999"))),
       folder_(new QLineEdit),
       complaint_(makeLabel({}, "warning")),
       buttons_(new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel)) {
   setWindowTitle(into == Into::NewSession ? tr("Import recorded scans") : tr("Add scans to the session"));
-  resize(760, 520);
+  resize(760, 580);
   build();
   connect(list_, &ScanList::edited, this, &ImportDialog::refresh);
   connect(scanner_, &QComboBox::currentIndexChanged, this, &ImportDialog::refresh);
@@ -127,9 +152,12 @@ void ImportDialog::build() {
   frame_->addItem(tr("as it is found"), QString());
   for (const auto& [key, text] : frames()) frame_->addItem(text, QString::fromLatin1(key));
   form->addRow(tr("The scanner looks (--frame)"), frame_);
+  form->addRow(tr("Rows × columns (--grid)"), grid_);
+  form->addRow(tr("No sample is (--no-sample)"), noSample_);
   folder_->setObjectName(QStringLiteral("importFolder"));
   folder_->setAccessibleName(tr("Folder of the session"));
   if (isNew) form->addRow(tr("Save everything in"), folder_);
+  for (QLineEdit* edit : {grid_, noSample_}) connect(edit, &QLineEdit::textChanged, this, &ImportDialog::refresh);
   for (QWidget* unused : {static_cast<QWidget*>(scanner_), posesRow, static_cast<QWidget*>(folder_)})
     if (!isNew) unused->setParent(this), unused->hide();
   column->addLayout(form);
@@ -173,6 +201,11 @@ QString ImportDialog::whyNot() const {
     return tr("Say of every file from which position it was taken.");
   if (known > 0 && !poses_->text().trimmed().isEmpty())
     return tr("Positions and a list of poses both say where the scans were taken: give one.");
+  if (!grid_->text().trimmed().isEmpty() && !gridIn(grid_->text()))
+    return tr("Rows and columns are two numbers from 2 on, for instance 480x640.");
+  bool isNumber = true;
+  if (!noSample_->text().trimmed().isEmpty()) static_cast<void>(noSample_->text().toDouble(&isNumber));
+  if (!isNumber) return tr("The value where nothing was measured is a number.");
   if (into_ == Into::NewSession && folder_->text().trimmed().isEmpty()) return tr("Choose a folder first.");
   return {};
 }
@@ -185,6 +218,8 @@ ImportChoice ImportDialog::choice() const {
   choice.recorded.positions = list_->positions();
   choice.recorded.poses = poses_->text().trimmed().toStdString();
   if (unit_->currentIndex() > 0) choice.recorded.reading.unit = unit_->currentData().toDouble();
+  choice.recorded.reading.grid = gridIn(grid_->text());
+  if (!noSample_->text().trimmed().isEmpty()) choice.recorded.reading.noSample = noSample_->text().toDouble();
   if (frame_->currentIndex() > 0)
     choice.recorded.reading.frame = parseFrame(frame_->currentData().toString().toStdString());
   return choice;

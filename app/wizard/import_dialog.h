@@ -46,6 +46,8 @@ class ImportDialog final : public QDialog {
   QLineEdit* poses_;
   QComboBox* unit_;
   QComboBox* frame_;
+  QLineEdit* grid_;
+  QLineEdit* noSample_;
   QLineEdit* folder_;
   QLabel* complaint_;
   QDialogButtonBox* buttons_;

@@ -5,6 +5,7 @@
 #include <QDir>
 #include <QFile>
 #include <QLabel>
+#include <QLineEdit>
 #include <QPushButton>
 #include <QSpinBox>
 #include <QTableWidget>
@@ -124,6 +125,24 @@ TEST_F(ImportTest, WhatIsWrongIsSaidAndNothingThatWasChosenIsLost) {
   EXPECT_TRUE(dialog.findChild<QLabel*>("importComplaint")->text().contains("nothing.ply"));
   EXPECT_EQ(dialog.findChild<QTableWidget*>("scanFiles")->rowCount(), 2);
   EXPECT_FALSE(controller_.hasSession());
+}
+
+TEST_F(ImportTest, RowsAndColumnsAreTakenOnlyWhereTheyAreSome) {
+  ImportDialog dialog(controller_, ImportDialog::Into::NewSession);
+  dialog.suggest(choice());
+  dialog.addFiles(files_);
+  auto* bringIn = dialog.findChild<QPushButton*>("bringIn");
+  auto* grid = dialog.findChild<QLineEdit*>("importGrid");
+  for (const char* wrong : {"480", "x", "1x5", "480x", "axb"}) {
+    grid->setText(wrong);
+    EXPECT_FALSE(bringIn->isEnabled()) << wrong;
+  }
+  for (const char* right : {"480x640", " 2 x 3 ", ""}) {
+    grid->setText(right);
+    EXPECT_TRUE(bringIn->isEnabled()) << right;
+  }
+  dialog.findChild<QLineEdit*>("importNoSample")->setText("nought");
+  EXPECT_FALSE(bringIn->isEnabled());
 }
 
 TEST_F(ImportTest, OfSeveralFilesForAnOpenSessionEachIsAskedForItsPosition) {

@@ -20,6 +20,7 @@
 #include "screenshots/screenshot.h"
 #include "support/scenes/small_scene.h"
 #include "why_card.h"
+#include "wizard/import_dialog.h"
 #include "wizard/next_view_box.h"
 
 namespace vantage {
@@ -313,6 +314,22 @@ TEST_F(Told, RecordedScansAreNothingElse) {
     for (const testing::PaintedText& painted : testing::paintedText(desk_.window())) EXPECT_NE(painted.text, "-1");
     expectNotSaid("no position would show more");
   }
+}
+
+TEST_F(Told, WhatIsKnownOfRecordedScansIsAskedInOneDialog) {
+  desk_.window().findChild<QAbstractButton*>("import")->click();
+  auto* dialog = desk_.window().findChild<ImportDialog*>();
+  ASSERT_NE(dialog, nullptr);
+  dialog->addFiles({"/scans/of the mug/scan_000.ply", "/scans/of the mug/scan_045.ply"});
+  dialog->findChild<QComboBox*>("importScanner")->setCurrentIndex(1);
+  for (int i = 0; i < 5; ++i) QCoreApplication::processEvents();
+  const QImage image = dialog->grab().toImage();
+  image.save(QStringLiteral(VANTAGE_SCREENSHOT_DIR) + "/window_import.png");
+  EXPECT_TRUE(testing::isNotBlank(image));
+  EXPECT_EQ(clipped(*dialog).join(" | ").toStdString(), "");
+  EXPECT_EQ(nameless(*dialog).join(" | ").toStdString(), "");
+  EXPECT_EQ(unexplained(*dialog).join(" | ").toStdString(), "");
+  dialog->reject();
 }
 
 TEST(PageText, EveryPageSaysWhatHappensNext) {
