@@ -3,6 +3,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "base/errors.h"
 #include "devices/device_factory.h"
@@ -25,6 +26,7 @@ class ToldTable final : public Turntable {
   [[nodiscard]] std::optional<std::string> notReady() const override { return problem; }
   [[nodiscard]] TableAngle turnTo(double degrees, const Progress& progress) override {
     progress.checkpoint(0.5);
+    if (failsNext) problem = std::exchange(failsNext, std::nullopt);
     if (problem) throw DeviceError("told table: " + *problem);
     counted = degrees;
     return *angle();
@@ -43,6 +45,7 @@ class ToldTable final : public Turntable {
   int homed = 0;
   bool vanished = false;  ///< is noticed when it is asked
   std::optional<std::string> problem;
+  std::optional<std::string> failsNext;  ///< the next turn does, with that problem
 };
 
 /// A scanner before an object on that table.
@@ -79,11 +82,20 @@ class SensorBeforeTable final : public RangeSensor {
 struct ToldDevices {
   std::shared_ptr<ToldTable> table = std::make_shared<ToldTable>();
   int made = 0;
+  std::string failsToOpen;  ///< why; empty: they open
 
   [[nodiscard]] DeviceFactory factory() {
     return DeviceFactory(DeviceFactory::kPatience, [this](const DeviceSetUp& setUp, std::int64_t /*scansBefore*/) {
       ++made;
+      if (!failsToOpen.empty()) throw DeviceError(failsToOpen);
       const auto& real = std::get<RealDevices>(setUp);
+      if (std::holds_alternative<HandTableDevice>(real.rig.table)) {
+        const auto turn = [table = table, profile = real.profile](int position, const Progress&) {
+          table->counted = tableAngleOf(*profile, position, 0.0);
+        };
+        return Rig{std::make_shared<SensorBeforeTable>(smallObject(), real.profile, table),
+                   std::make_shared<HandTable>(real.profile, turn, kTurnedByHand), nullptr};
+      }
       return Rig{std::make_shared<SensorBeforeTable>(smallObject(), real.profile, table),
                  std::make_shared<TurntablePositioner>(real.profile, table, TurntableUse{real.stands, false}), table};
     });
