@@ -98,7 +98,7 @@ Phrase phraseOf(const Warning& warning) {
           "its sense is -1",
           {scan});
     case WarningCode::EndedEarly:
-      return words("the acquisition is not finished: %1",
+      return words("the acquisition is not finished. %1",
                    {asIs(std::string(sentenceOf(warning.termination.value_or(Termination::Running))))});
   }
   return words("");
