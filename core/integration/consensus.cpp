@@ -29,11 +29,12 @@ class Witness {
   Witness(const View& view, const ConsensusOptions& options)
       : surface_(view),
         maxOffset_(std::max(options.maxOffset, options.spacingOffset * surface_.mesh().spacing)),
-        minNormalCosine_(std::cos(options.normalTolerance)) {}
+        minNormalCosine_(std::cos(options.normalTolerance)),
+        leastFacing_(surface_.leastFacing(kMinFacing)) {}
 
   [[nodiscard]] Opinion ask(const Vec3& vertex, const Vec3& vertexNormal, std::optional<GridPosition>& hint) const {
     const Vec3 normal = surface_.T_scanner_object().linear() * vertexNormal;
-    if (!surface_.mayFace(normal, kMinFacing)) return {};
+    if (!surface_.mayFace(normal, leastFacing_)) return {};
     const Vec3 p = surface_.T_scanner_object() * vertex;
     const auto position = hint ? surface_.rays().locate(p, *hint) : surface_.rays().locate(p);
     if (!position) return {};
@@ -57,6 +58,7 @@ class Witness {
   GridSurface surface_;
   double maxOffset_;
   double minNormalCosine_;
+  double leastFacing_;
 };
 
 void averagePositions(Model& model, std::span<const Witness> witnesses, const Progress& progress) {
