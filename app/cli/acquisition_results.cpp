@@ -35,10 +35,12 @@ void AcquisitionResults::mustBeReplaceable(const std::vector<std::string>& input
   for (const char* name : kModels) checkOutput(file(name), OutputKind::Mesh, inputs);
 }
 
-void AcquisitionResults::write(const AcquisitionState& state, const nlohmann::ordered_json& report) const {
+void AcquisitionResults::write(const AcquisitionState& state, const nlohmann::ordered_json& report,
+                               const Progress& progress) const {
   writeTextFile(file(kReport), report.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
   if (!state.model) return;
-  for (const char* name : kModels) exportModel(*state.model, file(name));
+  exportModel(*state.model, file(kModels[0]), progress.part(0.0, 0.5));
+  exportModel(*state.model, file(kModels[1]), progress.part(0.5, 1.0));
 }
 
 }  // namespace vantage

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "acquisition/acquisition_state.h"
+#include "base/progress.h"
 
 namespace vantage {
 
@@ -17,8 +18,8 @@ class AcquisitionResults {
   void mustBeNew() const;
   /// @throws InvalidInput when one of them is there and may not be replaced (see checkOutput)
   void mustBeReplaceable(const std::vector<std::string>& inputs) const;
-  /// @throws IoError
-  void write(const AcquisitionState& state, const nlohmann::ordered_json& report) const;
+  /// @throws IoError, Cancelled
+  void write(const AcquisitionState& state, const nlohmann::ordered_json& report, const Progress& progress) const;
 
   [[nodiscard]] std::string file(const char* name) const;
 

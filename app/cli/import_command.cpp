@@ -8,6 +8,7 @@
 #include "cli/import_result.h"
 #include "cli/new_session.h"
 #include "cli/reading_arguments.h"
+#include "cli/session_run.h"
 #include "cli/settings_arguments.h"
 #include "io/scan_poses.h"
 #include "session/import_note.h"
@@ -50,8 +51,10 @@ std::vector<ReadScan> readAll(const ImportArguments& args, const ScannerProfile*
   checkPositions(args, profile);
   std::vector<ReadScan> scans;
   for (std::size_t i = 0; i < args.files.size(); ++i) {
-    progress.checkpoint(static_cast<double>(i) / static_cast<double>(args.files.size()));
-    scans.push_back(readScanAt(args.files[i], *profile, args.positions[i], args.reading.options()));
+    const double share = 1.0 / static_cast<double>(args.files.size());
+    const double done = static_cast<double>(i) * share;
+    scans.push_back(readScanAt(args.files[i], *profile, args.positions[i], args.reading.options(),
+                               progress.part(done, done + share)));
     scans.back().file = i;
   }
   return scans;
@@ -78,6 +81,7 @@ void run(const ImportArguments& args, CommandContext& context) {
   std::shared_ptr<const ScannerProfile> profile;
   if (args.scanner != "generic") {
     source = readProfileSource(args.scanner);
+    tellMemoryNeeded(*source, args.given.applied({}), context);
     profile = std::make_shared<const ScannerProfile>(parseProfile(*source));
   }
   const Progress progress = context.progress();

@@ -12,7 +12,7 @@
 namespace vantage {
 
 /// A run of a session by itself: says what every scan brought, writes report.json, model.ply and model.stl at the end,
-/// also when it is cancelled.
+/// also when it is cancelled, unless the model is so large that this would take its time.
 class SessionRun {
  public:
   /// @param out folder for the results, which exists; what is there may be replaced. All must outlive it.
@@ -25,7 +25,7 @@ class SessionRun {
  private:
   void acquireAll(const DeviceSetUp& devices, PersonAtTable* person);
   void tellLast(PersonAtTable* person);
-  void writeResults();
+  void writeResults(const Progress& progress);
   void announce();
 
   Session& session_;
@@ -43,6 +43,6 @@ class SessionRun {
 void changeSettings(Session& session, const AcquisitionSettings& settings, CommandContext& context);
 
 /// Says how much memory a scanner of very many rays takes before any of the work on it begins.
-void tellMemoryNeeded(const ScannerProfile& profile, CommandContext& context);
+void tellMemoryNeeded(const ProfileSource& source, const AcquisitionSettings& settings, CommandContext& context);
 
 }  // namespace vantage

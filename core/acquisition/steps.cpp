@@ -1,6 +1,8 @@
 #include "acquisition/steps.h"
 
 #include <algorithm>
+#include <utility>
+#include <vector>
 
 #include "acquisition/scan_placing.h"
 #include "base/errors.h"
@@ -43,12 +45,16 @@ void liftDoubt(KeptScan& scan, double poseSigma, const StepOptions& options) {
 }
 
 // Moves the views to where all of them and the mechanics agree best.
-void refine(AcquisitionState& state, const StepOptions& options, const Progress& progress) {
+// @param prepared the views, or none
+void refine(AcquisitionState& state, std::vector<PreparedView> prepared, const StepOptions& options,
+            const Progress& progress) {
   const std::vector<View> views = viewsOf(state);
   if (views.size() < 2) return;
   MultiViewOptions refinement = options.refinement;
   refinement.ties = tiesOf(scansOf(state, ScanStatus::In), options);
-  const MultiViewResult refined = refineViews(views, refinement, progress);
+  const MultiViewResult refined = prepared.size() == views.size()
+                                      ? refinePrepared(views, prepared, refinement, progress)
+                                      : refineViews(views, refinement, progress);
   std::size_t i = 0;
   for (KeptScan& scan : state.scans) {
     if (scan.status != ScanStatus::In) continue;
@@ -80,7 +86,8 @@ AcquisitionState addScan(const AcquisitionState& state, const NumberedScan& scan
                          std::optional<PositionScore> predicted, const StepOptions& options, const Progress& progress) {
   const Progress registering = progress.part(0.0, 0.5, name(Phase::Register));
   registering.checkpoint(0.0);
-  KeptScan added = keepAsView(scan, options.cut, options.triangulation);
+  KeptScan added = keepAsView(scan, {options.cut, options.thinning}, options.triangulation, raysOfLast(state.scans),
+                              registering.part(0.0, 0.1));
   checkStation(state, added);
   AcquisitionState next = state;
   if (!state.stands[static_cast<std::size_t>(added.station().stand)].T_object_table) {
@@ -90,11 +97,11 @@ AcquisitionState addScan(const AcquisitionState& state, const NumberedScan& scan
     return next;
   }
   if (added.view.mesh->mesh.empty() && !state.model) refuseEmpty(added);
-  const bool found = findPlace(next, added, options, registering.part(0.0, 0.7));
+  FoundPlace place = findPlace(next, added, options, registering.part(0.1, 0.7));
   added.record.predicted = std::move(predicted);
   next.scans.push_back(std::move(added));
-  if (!found) return next;
-  refine(next, options, registering.part(0.7, 1.0));
+  if (!place.found) return next;
+  refine(next, std::move(place.prepared), options, registering.part(0.7, 1.0));
 
   const Progress integrating = progress.part(0.5, 1.0, name(Phase::Integrate));
   const std::vector<View> views = viewsOf(next);
@@ -139,13 +146,13 @@ AcquisitionState placeStand(const AcquisitionState& state, int stand, const Pose
     if (!waits(scan)) continue;
     const Progress part = progress.part(done / count, (done + 1.0) / count);
     done += 1.0;
-    scan.view.mesh = std::make_shared<const ViewMesh>(triangulate(*scan.view.image, options.triangulation));
+    scan.view.mesh = std::make_shared<const ViewMesh>(triangulate(*scan.view.image, options.triangulation, part));
     KeptScan placed = scan;
-    const bool found = findPlace(next, placed, options, part.part(0.0, 0.3, name(Phase::Register)));
+    FoundPlace place = findPlace(next, placed, options, part.part(0.0, 0.3, name(Phase::Register)));
     const double before = next.model ? area(next.model->mesh) : 0.0;
     scan = std::move(placed);
-    if (!found) continue;
-    refine(next, options, part.part(0.3, 0.5, name(Phase::Register)));
+    if (!place.found) continue;
+    refine(next, {}, options, part.part(0.3, 0.5, name(Phase::Register)));
     next.model = integrateViews(viewsOf(next), options, part.part(0.5, 1.0));
     scan.record.newArea = std::max(0.0, area(next.model->mesh) - before);
     scan.record.overlapArea = std::max(0.0, area(scan.view.mesh->mesh) - scan.record.newArea);

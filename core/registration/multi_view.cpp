@@ -112,8 +112,8 @@ class NormalEquations {
 
 class Refiner {
  public:
-  Refiner(std::span<const View> views, const MultiViewOptions& options, const Progress& progress)
-      : views_(prepareViews(views, progress)), scale_(scaleOf(views_)), options_(resolved(options, scale_)) {
+  Refiner(std::span<const View> views, std::span<const PreparedView> prepared, const MultiViewOptions& options)
+      : views_(prepared), scale_(scaleOf(views_)), options_(resolved(options, scale_)) {
     for (const View& view : views) start_.push_back(view.T_object_scanner);
     poses_ = start_;
     measureObject();
@@ -323,7 +323,7 @@ class Refiner {
     return farthest;
   }
 
-  std::vector<PreparedView> views_;
+  std::span<const PreparedView> views_;
   RegistrationScale scale_;
   MultiViewOptions options_;
   std::vector<Pose> start_;
@@ -334,9 +334,7 @@ class Refiner {
   double radius_ = 1.0;
 };
 
-}  // namespace
-
-MultiViewResult refineViews(std::span<const View> views, const MultiViewOptions& options, const Progress& progress) {
+void checkOptions(std::span<const View> views, const MultiViewOptions& options) {
   if ((options.finalGate && !(*options.finalGate > 0.0)) ||
       (options.finalGate && options.coarseGate && !(*options.coarseGate >= *options.finalGate)))
     throw InvalidInput("multi-view registration needs gates with 0 < final gate <= coarse gate");
@@ -347,16 +345,32 @@ MultiViewResult refineViews(std::span<const View> views, const MultiViewOptions&
   if (!options.given.empty() && options.given.size() != views.size())
     throw InvalidInput("there are " + std::to_string(options.given.size()) + " given poses for " +
                        std::to_string(views.size()) + " views, expected one for each");
-  if (views.size() < 2) {
-    MultiViewResult result;
-    for (const View& view : views) {
-      result.poses.push_back(view.T_object_scanner);
-      result.poseSigmas.push_back(0.0);
-    }
-    return result;
+}
+
+// Fewer than two views stay where they are.
+MultiViewResult unmoved(std::span<const View> views) {
+  MultiViewResult result;
+  for (const View& view : views) {
+    result.poses.push_back(view.T_object_scanner);
+    result.poseSigmas.push_back(0.0);
   }
-  Refiner refiner(views, options, progress.part(0.0, 0.1, "refine"));
-  return refiner.run(progress.part(0.1, 1.0));
+  return result;
+}
+
+}  // namespace
+
+MultiViewResult refinePrepared(std::span<const View> views, std::span<const PreparedView> prepared,
+                               const MultiViewOptions& options, const Progress& progress) {
+  checkOptions(views, options);
+  if (views.size() < 2) return unmoved(views);
+  return Refiner(views, prepared, options).run(progress);
+}
+
+MultiViewResult refineViews(std::span<const View> views, const MultiViewOptions& options, const Progress& progress) {
+  checkOptions(views, options);
+  if (views.size() < 2) return unmoved(views);
+  const std::vector<PreparedView> prepared = prepareViews(views, progress.part(0.0, 0.1, "refine"));
+  return refinePrepared(views, prepared, options, progress.part(0.1, 1.0));
 }
 
 }  // namespace vantage

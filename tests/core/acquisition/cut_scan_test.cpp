@@ -2,6 +2,8 @@
 
 #include "acquisition/steps.h"
 #include "acquisition/test_turn.h"
+#include "report/evaluation.h"
+#include "report/html_report.h"
 #include "report/report.h"
 #include "support/meshes.h"
 #include "support/scenes/small_scene.h"
@@ -73,6 +75,35 @@ TEST(CutScan, ATestTurnLooksAtTheObjectAlone) {
               0.01 * static_cast<double>(alone.samples));
   EXPECT_EQ(cut.registration.verdict, alone.registration.verdict);
   EXPECT_NEAR(cut.measured, alone.measured, radians(0.3));
+}
+
+TEST(CutScan, TheReportSaysWhatOfAThinnedScanIsWorkedOn) {
+  const AcquisitionState whole = scanned(testing::smallObject(), {}, {0});
+  AcquisitionSettings settings;
+  settings.thinning.spacing = 2.9 * whole.scans[0].view.mesh->spacing;
+  const AcquisitionState thinned = scanned(testing::smallObject(), settings, {0});
+  EXPECT_EQ(thinned.scans[0].record.everyNth, 2);
+  EXPECT_EQ(thinned.scans[0].record.samples, whole.scans[0].record.samples) << "of the scan as it came";
+  const auto report = makeReport(thinned, "test");
+  EXPECT_EQ(report["views"][0]["worked_on"]["every_nth_row_and_column"], 2);
+  EXPECT_FALSE(makeReport(whole, "test")["views"][0].contains("worked_on"));
+  EXPECT_NE(makeHtmlReport(thinned, {"test", {}, {}}).find("every 2nd row and column"), std::string::npos);
+}
+
+TEST(CutScan, AThinnedModelIsAsTrueAsItsSpacing) {
+  AcquisitionSettings settings;
+  const AcquisitionState whole = scanned(testing::smallObject(), settings, {0, 2, 4, 6});
+  const double spacing = whole.scans[0].view.mesh->spacing;
+  settings.thinning.spacing = 2.9 * spacing;
+  const AcquisitionState thinned = scanned(testing::smallObject(), settings, {0, 2, 4, 6});
+  ASSERT_EQ(countScans(thinned, ScanStatus::In), countScans(whole, ScanStatus::In));
+  const auto judged = [&](const AcquisitionState& state) {
+    return evaluate(state.model->mesh, testing::smallObject(), *state.profile, {}, {});
+  };
+  const Evaluation all = judged(whole);
+  const Evaluation some = judged(thinned);
+  EXPECT_LT(some.rms, all.rms + 0.1 * spacing);
+  EXPECT_GT(some.coverage, all.coverage - 0.05) << "a rim of one spacing about every border";
 }
 
 }  // namespace
