@@ -180,7 +180,7 @@ void tellMemoryNeeded(const ProfileSource& source, const AcquisitionSettings& se
   const MemoryNeeded needed = memoryFor(rays, settings.thinning);
   if (needed.megabytes <= kWorthSaying) return;
   std::string text = "the scanner has " + number(static_cast<double>(rays) / 1e6, 1) +
-                     " million rays: this takes about " + number(needed.megabytes / 1e3, 1) + " GB of memory, up to " +
+                     " million rays: this takes about " + number(needed.megabytes / 1e3, 1) + " GB of memory, about " +
                      number(needed.everyScan / 1e3, 1) + " GB more with every scan, and every step some time";
   if (needed.worked < rays)
     text += "; of every scan about " + number(static_cast<double>(needed.worked) / 1e6, 1) +

@@ -6,10 +6,11 @@
 namespace vantage {
 namespace {
 
-// [bytes] At the peak of a step, per ray of the scanner and per ray that is worked on.
-constexpr double kOfEveryRay = 130.0;
-constexpr double kOfWork = 600.0;
-constexpr double kOfFurtherScan = 160.0;
+// [bytes] At the peak of a step, per ray of the scanner and per ray that is worked on; of the 5 million rays of a head
+// that sees its object with a third of them.
+constexpr double kOfEveryRay = 75.0;
+constexpr double kOfWork = 250.0;
+constexpr double kOfFurtherScan = 100.0;
 
 }  // namespace
 

@@ -14,6 +14,7 @@
 #include <exception>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <mutex>
 #include <string>
 #include <thread>
@@ -64,11 +65,18 @@ class Silence {
   void heard(double fraction, std::string_view step) {
     const std::lock_guard lock(mutex_);
     const double work = secondsOfWork() - work_;
+    char part[64];
+    std::snprintf(part, sizeof(part), "%.2f ", fraction_);
+    works_[part + name_] += work;
     if (work > longest_) {
       longest_ = work;
       wall_ = secondsSince(last_);
       before_ = std::to_string(fraction_) + " " + name_;
       after_ = std::to_string(fraction) + " " + std::string(step);
+    }
+    if (const double peak = peakMemory(); peak > peak_ + 1.0) {
+      peak_ = peak;
+      peakIn_ = name_ + " " + std::to_string(fraction_);
     }
     fraction_ = fraction;
     name_ = step;
@@ -78,6 +86,10 @@ class Silence {
   void print() const {
     std::printf("  longest silence %.2f s of work (%.2f s): %s -> %s\n", longest_, wall_, before_.c_str(),
                 after_.c_str());
+    std::printf("  work:");
+    for (const auto& [part, work] : works_)
+      if (work > 0.15) std::printf(" %s %.1f,", part.c_str(), work);
+    std::printf("\n  the most memory, %.0f MB, was reached in %s\n", peakMemory(), peakIn_.c_str());
   }
 
  private:
@@ -90,6 +102,9 @@ class Silence {
   std::string name_ = "begin";
   std::string before_;
   std::string after_;
+  std::map<std::string, double> works_;  // by what is reported
+  double peak_ = peakMemory();
+  std::string peakIn_ = "an earlier scan";
 };
 
 // As a vendor writes a scan: binary PLY with its grid.
