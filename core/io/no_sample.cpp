@@ -83,8 +83,9 @@ class Dropper {
       take(NoSampleMark::Given, [&](const Vec3& p) { return p.z() == *given_ || p == Vec3::Constant(*given_); });
     progress.checkpoint(0.0);
     dropZeros();
-    do progress.checkpoint(0.2);
-    while (dropRepeated());
+    do {
+      progress.checkpoint(0.2);
+    } while (dropRepeated());
     for (int k = 0; k < 3; ++k) {
       progress.checkpoint(0.4 + 0.1 * k);
       dropOutliers(k);

@@ -19,6 +19,9 @@
 #include <string>
 #include <thread>
 #include <utility>
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 
 #include "acquisition/acquisition.h"
 #include "base/errors.h"
@@ -279,6 +282,9 @@ class Head {
 }  // namespace vantage
 
 int main(int argc, char** argv) {
+#ifdef __GLIBC__
+  mallopt(M_MMAP_THRESHOLD, 1 << 20);  // as the programs do
+#endif
   try {
     vantage::Arguments arguments;
     if (argc > 1) arguments.views = std::stoi(argv[1]);
