@@ -1,6 +1,7 @@
 #include "form_parts.h"
 
 #include <QGridLayout>
+#include <QStyle>
 
 namespace vantage {
 namespace {
@@ -16,6 +17,14 @@ QLabel* makeLabel(const QString& text, const char* role) {
   label->setTextInteractionFlags(Qt::TextSelectableByMouse);
   label->setFocusPolicy(Qt::NoFocus);
   return label;
+}
+
+void setRole(QLabel& label, const char* role) {
+  if (label.property("role").toString() == QLatin1String(role)) return;
+  label.setProperty("role", role);
+  // The style looks at the property only when it is applied.
+  label.style()->unpolish(&label);
+  label.style()->polish(&label);
 }
 
 QPushButton* makeButton(const QString& text, const QString& objectName, const QString& help, bool primary) {

@@ -12,6 +12,9 @@ namespace vantage {
 /// A label in one of the styles of window_theme.h; wraps its text.
 [[nodiscard]] QLabel* makeLabel(const QString& text, const char* role = "");
 
+/// Gives a label another style, at once.
+void setRole(QLabel& label, const char* role);
+
 /// A button with a name for assistive technology and tests.
 [[nodiscard]] QPushButton* makeButton(const QString& text, const QString& objectName, const QString& help,
                                       bool primary = false);

@@ -3,10 +3,12 @@
 #include <QApplication>
 #include <QCloseEvent>
 #include <QDockWidget>
+#include <QDragEnterEvent>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMenuBar>
 #include <QMessageBox>
+#include <QMimeData>
 #include <QSettings>
 #include <QShortcut>
 #include <QStatusBar>
@@ -17,6 +19,7 @@
 #include "report_pictures.h"
 #include "settings/settings_dialog.h"
 #include "window_theme.h"
+#include "wizard/import_dialog.h"
 #include "wizard/next_view_box.h"
 
 namespace vantage {
@@ -50,6 +53,7 @@ MainWindow::MainWindow(const WindowParts& parts, const Preferences& preferences,
   setTabPosition(Qt::RightDockWidgetArea, QTabWidget::North);
   setDockOptions(AnimatedDocks | AllowTabbedDocks | AllowNestedDocks);
   setCentralWidget(&views_->model());
+  setAcceptDrops(true);
   addDocks();
   addMenus();
   connectController();
@@ -132,6 +136,7 @@ void MainWindow::addSessionMenu() {
   QMenu& session = *menuBar()->addMenu(tr("&Session"));
   session.setToolTipsVisible(true);
   open_ = addGuarded(session, tr("&Open…"), QKeySequence::Open, [this] { openSession(); });
+  import_ = addGuarded(session, tr("&Import or add scans…"), tr("Ctrl+I"), [this] { importScans({}); });
   close_ = addGuarded(session, tr("&Close"), QKeySequence::Close, [this] {
     if (const QString why = controller_.permissions().whyNotClose(); !why.isEmpty()) return say(why);
     controller_.close();
@@ -190,7 +195,8 @@ void MainWindow::connectController() {
     if (controller_.cursor() < static_cast<int>(controller_.moments().size()))
       log_->add(controller_.moments()[static_cast<std::size_t>(controller_.cursor())].text);
   });
-  connect(&wizard_->choosePage(), &ChoosePage::openRequested, this, &MainWindow::openSession);
+  connect(&wizard_->choosePage(), &ChoosePage::openRequested, this, [this] { openSession(); });
+  connect(&wizard_->choosePage(), &ChoosePage::importRequested, this, [this] { importScans({}); });
   connect(&wizard_->finishPage(), &FinishPage::reportRequested, this, &MainWindow::writeReport);
   connect(&wizard_->acquirePage().nextView(), &NextViewBox::considered, views_, &SessionViews::examine);
   connect(views_, &SessionViews::positionExamined, &wizard_->acquirePage().nextView(), &NextViewBox::offer);
@@ -206,6 +212,7 @@ void MainWindow::refreshActions() {
   allow(*stop_, controller_.idle() ? tr("Nothing runs that could be stopped.") : QString());
   allow(*close_, may.whyNotClose());
   allow(*open_, may.whyNotOpen());
+  allow(*import_, may.whyNotOpen());
 }
 
 // The session of last time is found again by its path.
@@ -226,9 +233,42 @@ void MainWindow::say(const QString& why) {
 void MainWindow::openSession() {
   if (const QString why = controller_.permissions().whyNotOpen(); !why.isEmpty()) return say(why);
   const QString path = QFileDialog::getOpenFileName(this, tr("Open a session"), {}, tr("Sessions (*.vantage)"));
-  if (path.isEmpty()) return;
-  if (controller_.hasSession()) controller_.close();
+  if (!path.isEmpty()) openSession(path);
+}
+
+void MainWindow::openSession(const QString& path) {
+  if (const QString why = controller_.permissions().whyNotOpen(); !why.isEmpty()) return say(why);
+  if (controller_.hasSession() && QFileInfo(path) == QFileInfo(controller_.sessionPath()))
+    return say(tr("%1 is open already.").arg(path));
   controller_.open(path);
+}
+
+// Into the session that is open, where it can have more; else into a new one.
+void MainWindow::importScans(const QStringList& files) {
+  if (const QString why = controller_.permissions().whyNotOpen(); !why.isEmpty()) return say(why);
+  const bool intoOpen = controller_.permissions().whyNotAddScans().isEmpty();
+  auto* dialog =
+      new ImportDialog(controller_, intoOpen ? ImportDialog::Into::OpenSession : ImportDialog::Into::NewSession, this);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setWindowModality(Qt::WindowModal);
+  dialog->suggest(wizard_->choosePage().importChoice());
+  dialog->addFiles(files);
+  dialog->open();
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+  if (event->mimeData()->hasUrls()) event->acceptProposedAction();
+}
+
+// A session is opened; everything else is taken for scans.
+void MainWindow::dropEvent(QDropEvent* event) {
+  QStringList files;
+  for (const QUrl& url : event->mimeData()->urls())
+    if (url.isLocalFile()) files << url.toLocalFile();
+  if (files.isEmpty()) return;
+  event->acceptProposedAction();
+  if (files.size() == 1 && files.front().endsWith(QStringLiteral(".vantage"))) return openSession(files.front());
+  importScans(files);
 }
 
 void MainWindow::applyPreferences(const Preferences& preferences) {

@@ -38,6 +38,8 @@ class MainWindow final : public QMainWindow {
 
  protected:
   void closeEvent(QCloseEvent* event) override;
+  void dragEnterEvent(QDragEnterEvent* event) override;
+  void dropEvent(QDropEvent* event) override;
 
  private:
   QDockWidget* addDock(const QString& title, const QString& name, QWidget* content, Qt::DockWidgetArea area,
@@ -52,6 +54,8 @@ class MainWindow final : public QMainWindow {
   void refreshActions();
   void refreshTitle();
   void openSession();
+  void openSession(const QString& path);
+  void importScans(const QStringList& files);
   void say(const QString& why);
   void editSettings();
   void writeReport(const QString& path);
@@ -69,6 +73,7 @@ class MainWindow final : public QMainWindow {
   LogPanel* log_;
   QMenu* docksMenu_ = nullptr;
   QAction* open_ = nullptr;
+  QAction* import_ = nullptr;
   QAction* run_ = nullptr;
   QAction* step_ = nullptr;
   QAction* pause_ = nullptr;

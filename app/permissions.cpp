@@ -1,6 +1,7 @@
 #include "permissions.h"
 
 #include "acquisition/may_do.h"
+#include "devices/real_rig.h"
 #include "refusal_text.h"
 
 namespace vantage {
@@ -39,16 +40,30 @@ QString Permissions::whyNoDevices() const {
   return tr("The simulated scanner needs an object: choose one.");
 }
 
+bool Permissions::takesAsTheyCome() const {
+  return at_.mode == Mode::Assisted && at_.setUp && turnedByHand(*at_.setUp) &&
+         startsByItself(at_.setUp->choice.rig.sensor);
+}
+
 QString Permissions::whyNotRun() const {
+  if (takesAsTheyCome()) return whyNotScan();
   if (at_.mode == Mode::Assisted)
     return tr("You turn the table yourself: scan one view at a time, or choose automatic.");
   if (at_.setUp && turnedByHand(*at_.setUp)) return tr("The table is turned by hand: choose assisted.");
   return whyNotScan();
 }
 
-QString Permissions::whyNotTestTurn() const {
+QString Permissions::whyNotTestScan() const {
   if (at_.busy) return busyOr({});
   if (QString why = whyNoDevices(); !why.isEmpty()) return why;
+  // Where its table stands belongs to the session.
+  if (at_.sessionOpen && std::holds_alternative<RealDevices>(*at_.setUp->devices))
+    return tr("The session has begun. Tests with its devices are made before the first scan.");
+  return {};
+}
+
+QString Permissions::whyNotTestTurn() const {
+  if (QString why = whyNotTestScan(); !why.isEmpty()) return why;
   return at_.setUp->profile->workspace.steps > 1 ? QString() : tr("This scanner has no turntable.");
 }
 
@@ -67,6 +82,11 @@ QString Permissions::whyNotRedo() const {
 
 QString Permissions::whyNotExport() const {
   return busyOr(unless(at_.now && at_.now->model, RefusalReason::NothingScanned));
+}
+
+QString Permissions::whyNotAddScans() const {
+  if (!at_.sessionOpen || !at_.now) return tr("There is no session yet: it begins with the first scan.");
+  return busyOr(unless(at_.now->profile != nullptr, RefusalReason::NoProfile));
 }
 
 QString Permissions::whyNotOpen() const {

@@ -31,7 +31,10 @@ class Permissions {
   explicit Permissions(Situation situation) : at_(std::move(situation)) {}
 
   [[nodiscard]] QString whyNotRun() const;
+  /// Whether scans come by themselves while a person turns the table.
+  [[nodiscard]] bool takesAsTheyCome() const;
   [[nodiscard]] QString whyNotScan() const;
+  [[nodiscard]] QString whyNotTestScan() const;
   [[nodiscard]] QString whyNotTestTurn() const;
   /// Why the set-up has nothing to scan with, whatever else is under way.
   [[nodiscard]] QString whyNoDevices() const;
@@ -39,6 +42,8 @@ class Permissions {
   [[nodiscard]] QString whyNotUndo() const;
   [[nodiscard]] QString whyNotRedo() const;
   [[nodiscard]] QString whyNotExport() const;
+  /// Why scans of files cannot be added to the open session.
+  [[nodiscard]] QString whyNotAddScans() const;
   [[nodiscard]] QString whyNotOpen() const;
   [[nodiscard]] QString whyNotClose() const;
 

@@ -30,15 +30,17 @@ double facing(const RangeImage& scan, int row, int column) {
 
 }  // namespace
 
-QImage scanImage(const RangeImage& scan) {
+QImage scanImage(const RangeImage& scan, int step, const std::function<QRgb(std::size_t, QRgb)>& repaint) {
   const RayGrid& rays = *scan.rays;
-  QImage image(rays.columns(), rays.rows(), QImage::Format_RGB32);
+  QImage image((rays.columns() + step - 1) / step, (rays.rows() + step - 1) / step, QImage::Format_RGB32);
   image.fill(QColor(0x22, 0x27, 0x2e));
-  for (int row = 0; row < rays.rows(); ++row)
-    for (int column = 0; column < rays.columns(); ++column) {
-      if (!scan.valid(rays.index(row, column))) continue;
+  for (int row = 0; row < rays.rows(); row += step)
+    for (int column = 0; column < rays.columns(); column += step) {
+      const std::size_t ray = rays.index(row, column);
+      if (!scan.valid(ray)) continue;
       const int grey = 50 + static_cast<int>(195.0 * facing(scan, row, column));
-      image.setPixel(column, row, qRgb(grey, grey, std::max(0, grey - 8)));
+      const QRgb surface = qRgb(grey, grey, std::max(0, grey - 8));
+      image.setPixel(column / step, row / step, repaint ? repaint(ray, surface) : surface);
     }
   // Rows may run up and columns to the left: set the picture upright as somebody at the scanner sees it.
   const auto place = [&](int row, int column) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QImage>
+#include <functional>
 #include <vector>
 
 #include "report/html_report.h"
@@ -8,8 +9,11 @@
 
 namespace vantage {
 
-/// The picture of a scan, one pixel per ranging ray, upright: bright where the surface faces the scanner.
-[[nodiscard]] QImage scanImage(const RangeImage& scan);
+/// The picture of a scan, upright: bright where the surface faces the scanner.
+/// @param step every so many rows and columns of ranging rays there is a pixel
+/// @param repaint gets every ray that has a sample, and its colour; what it returns is shown. Empty: as it is.
+[[nodiscard]] QImage scanImage(const RangeImage& scan, int step = 1,
+                               const std::function<QRgb(std::size_t ray, QRgb surface)>& repaint = {});
 
 /// Pictures of all scans of a state, one per view.
 [[nodiscard]] std::vector<ReportPicture> scanPictures(const AcquisitionState& state);

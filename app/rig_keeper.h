@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <mutex>
 #include <optional>
 
 #include "devices/device_factory.h"
@@ -8,32 +9,42 @@
 
 namespace vantage {
 
-/// Real devices stay open from one job to the next: opening a turntable anew restarts it. One thread at a time.
+/// Real devices stay open from one job to the next: opening a turntable anew restarts it. One user at a time.
 class RigKeeper {
  public:
   explicit RigKeeper(DeviceFactory factory) : factory_(std::move(factory)) {}
 
-  /// The open devices of a set-up: those of the last time, when they can still be used.
-  /// @param standsAt position at which the table stands, if it has to be opened. @throws DeviceError, Cancelled
-  [[nodiscard]] Rig open(const SharedSetUp& setUp, std::int64_t scansBefore, std::optional<int> standsAt,
-                         const Progress& progress) {
-    if (!std::holds_alternative<RealDevices>(*setUp->devices))
-      return factory_.open(*setUp->devices, scansBefore, progress);
-    if (rig_ && of_ == setUp && !rig_->sensor->notReady() && !rig_->positioner->notReady()) return *rig_;
-    rig_.reset();
-    RealDevices devices = std::get<RealDevices>(*setUp->devices);
-    devices.standsAt = standsAt.value_or(0);
-    rig_ = factory_.open(devices, scansBefore, progress);
-    of_ = setUp;
-    return *rig_;
-  }
+  /// The devices while somebody uses them: nobody else does meanwhile.
+  class Use {
+   public:
+    [[nodiscard]] const Rig& rig() const { return rig_; }
+    /// After a failure they are opened anew the next time.
+    void drop();
 
-  /// After a failure they are opened anew the next time.
-  void drop() { rig_.reset(); }
+   private:
+    friend class RigKeeper;
+    Use(RigKeeper& keeper, std::unique_lock<std::timed_mutex> alone) : keeper_(&keeper), alone_(std::move(alone)) {}
+
+    RigKeeper* keeper_;
+    std::unique_lock<std::timed_mutex> alone_;
+    Rig rig_;
+  };
+
+  /// The open devices of a set-up: those of the last time, when they are its own and can still be used. Waits for who
+  /// uses them now.
+  /// @param stands where the table stands, if it has to be opened. @throws DeviceError, Cancelled
+  [[nodiscard]] Use open(const SharedSetUp& setUp, std::int64_t scansBefore, const TableStand& stands,
+                         const Progress& progress);
+
+  /// The devices of the last time, usable or not, when they are those of the set-up and nobody uses them; else nothing.
+  [[nodiscard]] std::optional<Use> lookAt(const SharedSetUp& setUp);
 
  private:
+  [[nodiscard]] bool keeps(const SetUp& setUp) const;
+
   DeviceFactory factory_;
-  std::optional<Rig> rig_;
+  std::timed_mutex inUse_;
+  std::optional<Rig> rig_;  // of real devices
   SharedSetUp of_;
 };
 

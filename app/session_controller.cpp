@@ -3,12 +3,15 @@
 #include <utility>
 
 #include "acquisition/further_scan.h"
+#include "acquisition/model_colours.h"
+#include "acquisition/table_place.h"
 #include "base/atomic_file.h"
 #include "base/errors.h"
 #include "ending_text.h"
 #include "io/mesh_writer.h"
 #include "io/output_file.h"
 #include "report/loss_wording.h"
+#include "session/table_note.h"
 #include "session_start.h"
 #include "wording.h"
 
@@ -31,73 +34,73 @@ SessionController::SessionController(JobRunner& jobs, std::string cacheFolder, D
     : QObject(parent),
       jobs_(jobs),
       cacheFolder_(std::move(cacheFolder)),
-      devices_(std::make_shared<RigKeeper>(std::move(devices))) {}
+      devices_(std::make_shared<RigKeeper>(std::move(devices))),
+      work_(jobs),
+      bench_(work_, jobs, devices_),
+      testScans_(work_, jobs, devices_),
+      calibrating_(work_, devices_) {
+  connect(&work_, &Undertaking::activityChanged, this, &SessionController::activityChanged);
+  connect(&work_, &Undertaking::stepChanged, this, &SessionController::stepChanged);
+  connect(&work_, &Undertaking::failed, this, &SessionController::failed);
+  connect(&work_, &Undertaking::refused, this, &SessionController::refused);
+  connect(&work_, &Undertaking::message, this, &SessionController::message);
+  connect(&calibrating_, &TableCalibrating::kept, this, &SessionController::useCalibration);
+}
 
 // What runs refers to this.
 SessionController::~SessionController() {
   jobs_.abandonAll();
 }
 
-void SessionController::setActivity(Activity activity) {
-  if (activity_ == activity) return;
-  activity_ = activity;
-  emit activityChanged();
-}
-
-// Every piece of work goes this way: one at a time, and back to idle whatever came of it.
-template <typename T>
-void SessionController::start(Activity activity, const QString& title, std::function<T(const Progress&)> process,
-                              std::function<void(T)> done) {
-  if (!idle()) return;
-  scanFailure_.clear();
-  setActivity(activity);
-  job_ = jobs_.run<T>(title, std::move(process), [this, activity, title, done = std::move(done)](JobResult<T> result) {
-    if (activity == Activity::Running) scanFailure_ = result.error;
-    setActivity(Activity::Idle);
-    if (result.value)
-      done(std::move(*result.value));
-    else if (result.cancelled)
-      emit message(tr("%1: stopped").arg(title));
-    else
-      emit failed(result.error);
-  });
+// All who look at the set-up are told.
+void SessionController::changeSetUp(const SharedSetUp& setUp) {
+  setUp_ = setUp;
+  bench_.setSetUp(setUp);
+  testScans_.setSetUp(setUp);
+  calibrating_.setSetUp(setUp);
+  emit setUpChanged();
 }
 
 void SessionController::setChoice(const SetUpChoice& choice) {
   if (hasSession() || choice == choice_) return;
   choice_ = choice;
-  setUp_.reset();
-  testTurn_.reset();
-  emit setUpChanged();
+  changeSetUp({});
+}
+
+void SessionController::testTurn() {
+  if (allowed(permissions().whyNotTestTurn())) testScans_.turn();
+}
+
+void SessionController::testScan() {
+  if (allowed(permissions().whyNotTestScan())) testScans_.scan();
+}
+
+// The same devices and scanner, from which something else is cut.
+void SessionController::setCut(const CutOptions& cut) {
+  if (hasSession() || cut == choice_.settings.cut) return;
+  choice_.settings.cut = cut;
+  if (!setUp_) return;
+  auto setUp = std::make_shared<SetUp>(*setUp_);
+  setUp->choice.settings.cut = cut;
+  changeSetUp(setUp);
+}
+
+void SessionController::useCalibration(const QString& path) {
+  SetUpChoice calibrated = choice_;
+  calibrated.rig.calibration = path.toStdString();
+  setChoice(calibrated);
+  prepare();
 }
 
 void SessionController::prepare() {
   if (setUp_ || choice_.scanner.empty()) return;
-  start<SharedSetUp>(
+  work_.begin<SharedSetUp>(
       Activity::Preparing, tr("Preparing the set-up"),
       [choice = choice_, cache = cacheFolder_](const Progress& p) { return prepareSetUp(choice, cache, p); },
-      [this](SharedSetUp setUp) {
-        setUp_ = std::move(setUp);
-        if (!session_ && turnedByHand(*setUp_)) mode_ = Mode::Assisted;
-        if (!setUp_->notes.empty()) emit message(QString::fromStdString(setUp_->notes));
-        emit setUpChanged();
-      });
-}
-
-void SessionController::startTestTurn() {
-  if (!allowed(permissions().whyNotTestTurn())) return;
-  const int first = setUp_->choice.settings.firstView;
-  const auto positions = static_cast<int>(setUp_->profile->workspace.size());
-  // A twelfth of a turn: far enough to measure, near enough to overlap.
-  const int second = (first + std::max(1, setUp_->profile->workspace.steps / 12)) % std::max(1, positions);
-  start<TestTurn>(
-      Activity::Testing, tr("Test turn"),
-      [setUp = setUp_, devices = devices_, first, second](const Progress& p) {
-        return testTurn(devices->open(setUp, 0, {}, p), *setUp->profile, first, second, setUp->choice.settings.cut, p);
-      },
-      [this](TestTurn result) {
-        testTurn_ = std::move(result);
-        emit testTurnChanged();
+      [this](const SharedSetUp& setUp) {
+        if (!session_ && turnedByHand(*setUp)) mode_ = Mode::Assisted;
+        if (!setUp->notes.empty()) emit message(QString::fromStdString(setUp->notes));
+        changeSetUp(setUp);
       });
 }
 
@@ -107,11 +110,10 @@ QString SessionController::sessionPath() const {
 
 void SessionController::adopt(const SessionPointer& session, const SharedSetUp& setUp, const QString& page) {
   session_ = session;
-  setUp_ = setUp;
   choice_ = setUp->choice;
   page_ = page;
   for (const Loss& loss : session->losses()) emit failed(translated(phraseOf(loss, session->path())));
-  emit setUpChanged();
+  changeSetUp(setUp);
   emit sessionChanged();
 }
 
@@ -121,7 +123,7 @@ void SessionController::open(const QString& path) {
     OpenedSession opened;
     Publication publication;
   };
-  start<Opened>(
+  work_.begin<Opened>(
       Activity::Opening, tr("Opening the session"),
       [path = path.toStdString(), cache = cacheFolder_](const Progress& p) {
         Opened result{openSession(path, cache, p), {}};
@@ -129,9 +131,44 @@ void SessionController::open(const QString& path) {
         return result;
       },
       [this](Opened result) {
+        if (hasSession()) close();
         adopt(result.opened.session, result.opened.setUp, pageOf(*result.opened.session, *result.publication.state));
         publish(std::move(result.publication));
       });
+}
+
+void SessionController::importScans(const ImportChoice& choice) {
+  if (!allowed(permissions().whyNotOpen())) return;
+  struct Imported {
+    OpenedSession opened;
+    Publication publication;
+  };
+  work_.begin<Imported>(
+      Activity::Opening, tr("Importing recorded scans"),
+      [choice, cache = cacheFolder_](const Progress& p) {
+        Imported result{importSession(choice, cache, p), {}};
+        result.publication = describe(*result.opened.session);
+        return result;
+      },
+      [this](Imported result) {
+        if (hasSession()) close();
+        adopt(result.opened.session, result.opened.setUp, pageOf(*result.opened.session, *result.publication.state));
+        publish(std::move(result.publication));
+        emit imported();
+      },
+      [this](const QString& why) { emit importFailed(why); });
+}
+
+void SessionController::addScans(const RecordedScans& recorded) {
+  if (!allowed(permissions().whyNotAddScans())) return;
+  work_.begin<bool>(
+      Activity::Running, tr("Adding scans"),
+      [this, session = session_, setUp = setUp_, recorded](const Progress& progress) {
+        Acquisition acquisition(*session, {{}, setUp->images}, publisher(session));
+        addRecordedScans(acquisition, recorded, *setUp, progress);
+        return true;
+      },
+      [this](bool) { emit imported(); }, [this](const QString& why) { emit importFailed(why); });
 }
 
 void SessionController::close() {
@@ -179,20 +216,24 @@ Acquisition::StepObserver SessionController::publisher(const SessionPointer& ses
 }
 
 void SessionController::scanInBackground(bool untilTheEnd) {
-  pause_ = std::make_shared<std::atomic<bool>>(false);
   const auto begun = [this, setUp = setUp_](const SessionPointer& session) {
     QMetaObject::invokeMethod(this, [this, session, setUp, publication = describe(*session)]() mutable {
       adopt(session, setUp, {});
       publish(std::move(publication));
     });
   };
-  start<bool>(
+  work_.begin<bool>(
       Activity::Running, untilTheEnd ? tr("Acquiring") : tr("Scanning"),
-      [this, session = session_, setUp = setUp_, devices = devices_, mode = mode(), pause = pause_, begun,
+      [this, session = session_, setUp = setUp_, devices = devices_, mode = mode(), begun, pause = work_.pauseWanted(),
        untilTheEnd](const Progress& progress) mutable {
         const bool isNew = !session;
+        // Without devices there is nothing that a session could be begun with.
+        const auto left = isNew ? std::nullopt : tableLeft(*session);
+        RigKeeper::Use use =
+            devices->open(setUp, isNew ? 0 : session->scanCount(), left ? left->stand : TableStand{}, progress);
         if (isNew) session = createSession(*setUp);
-        const Rig rig = devices->open(setUp, session->scanCount(), vantage::tablePosition(*session), progress);
+        Rig rig = use.rig();
+        if (std::holds_alternative<RealDevices>(*setUp->devices)) rig = remarked(rig, *session);
         Acquisition acquisition(*session, {rig, setUp->images}, publisher(session));
         if (isNew) {
           if (mode != acquisition.state()->mode) acquisition.carryOut(ChangeMode{mode});
@@ -206,7 +247,7 @@ void SessionController::scanInBackground(bool untilTheEnd) {
           else
             acquisition.scanNext(progress);
         } catch (const DeviceError&) {
-          devices->drop();
+          use.drop();
           throw;
         }
         return acquisition.state()->termination != Termination::Running;
@@ -251,9 +292,8 @@ void SessionController::turnByHand() {
   auto setUp = std::make_shared<SetUp>(*setUp_);
   setUp->choice.rig.table = HandTableDevice{};
   connectDevices(*setUp);
-  setUp_ = setUp;
-  scanFailure_.clear();
-  emit setUpChanged();
+  work_.forgetFailure();
+  changeSetUp(setUp);
   setMode(Mode::Assisted);
   emit activityChanged();
 }
@@ -263,27 +303,17 @@ bool SessionController::canTurnByHand() const {
 }
 
 void SessionController::pause() {
-  if (activity_ != Activity::Running || !pause_) {
-    emit refused(tr("Nothing runs that could pause."));
-    return;
-  }
-  *pause_ = true;
-  setActivity(Activity::Pausing);
+  work_.pause();
 }
 
 void SessionController::stop() {
-  if (idle()) {
-    emit refused(tr("Nothing runs that could be stopped."));
-    return;
-  }
-  jobs_.cancel(job_);
-  setActivity(Activity::Stopping);
+  work_.stop();
 }
 
 // A command that needs no scan: carried out, written, shown.
 void SessionController::change(const Command& command) {
   if (!allowed(permissions().whyNot(command))) return;
-  start<Publication>(
+  work_.begin<Publication>(
       Activity::Changing, tr("Changing the session"),
       [session = session_, setUp = setUp_, command](const Progress& progress) {
         Acquisition(*session, {{}, setUp->images}).carryOut(command, progress);
@@ -354,7 +384,7 @@ std::optional<Explanation> SessionController::explained(int position) const {
 }
 
 void SessionController::move(bool backward) {
-  start<Publication>(
+  work_.begin<Publication>(
       Activity::Changing, backward ? tr("Undo") : tr("Redo"),
       [session = session_, backward](const Progress& /*progress*/) {
         Acquisition acquisition(*session);
@@ -401,11 +431,12 @@ std::vector<std::string> SessionController::filesInUse() const {
 
 void SessionController::exportModel(const QString& path) {
   if (!allowed(permissions().whyNotExport())) return;
-  start<bool>(
+  work_.begin<bool>(
       Activity::Writing, tr("Writing %1").arg(path),
       [state = now_, path = path.toStdString(), inputs = filesInUse()](const Progress& progress) {
         checkOutput(path, OutputKind::Mesh, inputs);
-        vantage::exportModel(*state->model, path, progress, worldOffset(outlineOf(*state)));
+        const VertexColours colours = holdsColours(path) ? coloursOf(*state, progress.part(0.0, 0.5)) : VertexColours{};
+        vantage::exportModel(*state->model, path, progress.part(0.5, 1.0), worldOffset(outlineOf(*state)), colours);
         return true;
       },
       [this, path](bool) { emit written(path); });
@@ -413,7 +444,7 @@ void SessionController::exportModel(const QString& path) {
 
 void SessionController::writeReport(const QString& path, ReportParts parts) {
   if (!allowed(permissions().whyNotExport())) return;
-  start<bool>(
+  work_.begin<bool>(
       Activity::Writing, tr("Writing %1").arg(path),
       [state = now_, path = path.toStdString(), parts = std::move(parts),
        inputs = filesInUse()](const Progress& progress) {

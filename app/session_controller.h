@@ -2,7 +2,6 @@
 
 #include <QObject>
 #include <QString>
-#include <atomic>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -10,7 +9,9 @@
 #include <vector>
 
 #include "acquisition/acquisition.h"
-#include "acquisition/test_turn.h"
+#include "bench/device_bench.h"
+#include "bench/table_calibrating.h"
+#include "bench/test_scans.h"
 #include "devices/device_factory.h"
 #include "job_runner.h"
 #include "moments.h"
@@ -19,13 +20,12 @@
 #include "report/html_report.h"
 #include "rig_keeper.h"
 #include "session/session.h"
+#include "session_import.h"
 #include "set_up.h"
 #include "turn_advice.h"
+#include "undertaking.h"
 
 namespace vantage {
-
-/// What the controller is busy with.
-enum class Activity { Idle, Preparing, Testing, Opening, Running, Pausing, Stopping, Changing, Writing };
 
 /// The one bridge between the engine and the window: holds the set-up and the open session, starts the work on the job
 /// runner, and tells by signals what came of it. Knows no widget. Lives on the UI thread; every call returns at once.
@@ -39,8 +39,10 @@ class SessionController final : public QObject {
                     QObject* parent = nullptr);
   ~SessionController() override;
 
-  [[nodiscard]] Activity activity() const { return activity_; }
-  [[nodiscard]] bool idle() const { return activity_ == Activity::Idle; }
+  [[nodiscard]] Activity activity() const { return work_.activity(); }
+  [[nodiscard]] bool idle() const { return work_.idle(); }
+  /// The step that what is under way is at, as it calls it.
+  [[nodiscard]] const QString& stepOfWork() const { return work_.step(); }
 
   [[nodiscard]] const SetUpChoice& choice() const { return choice_; }
   /// A new choice; what was prepared for another one is dropped. Not while a session is open.
@@ -48,12 +50,26 @@ class SessionController final : public QObject {
   /// Reads profile and object of the choice.
   void prepare();
   [[nodiscard]] const SharedSetUp& setUp() const { return setUp_; }
-  void startTestTurn();
-  [[nodiscard]] const std::optional<TestTurn>& testTurnResult() const { return testTurn_; }
+  void testTurn();
+  void testScan();
+  /// What is cut out of scans from now on; before the first scan.
+  void setCut(const CutOptions& cut);
+  /// From now on the table turns as that calibration file says; before the first scan.
+  void useCalibration(const QString& path);
+
+  /// The devices, scans and calibration of the set-up, before the first scan.
+  [[nodiscard]] DeviceBench& bench() { return bench_; }
+  [[nodiscard]] TestScans& testScans() { return testScans_; }
+  [[nodiscard]] TableCalibrating& calibrating() { return calibrating_; }
 
   [[nodiscard]] bool hasSession() const { return session_ != nullptr; }
   [[nodiscard]] QString sessionPath() const;
+  /// Opens another session; the one that is open stays so until that is known to be whole.
   void open(const QString& path);
+  /// Makes a session of recorded scans. What is wrong with them is told by importFailed.
+  void importScans(const ImportChoice& choice);
+  /// Adds scans of files to the open session, each from its position. What is wrong with them is told by importFailed.
+  void addScans(const RecordedScans& recorded);
   /// Leaves the session as it is on the disk.
   void close();
 
@@ -70,7 +86,10 @@ class SessionController final : public QObject {
   /// One scan from the position that comes next; begins and opens again like run.
   void step();
   /// What ended the last scan or run, as a sentence; empty when nothing failed, or something else was done since.
-  [[nodiscard]] const QString& scanFailure() const { return scanFailure_; }
+  [[nodiscard]] const QString& scanFailure() const { return work_.scanFailure(); }
+  /// Whether the next scan is taken whenever the scanner has one, and a person turns the table: run then takes one
+  /// after the other.
+  [[nodiscard]] bool takesAsTheyCome() const { return permissions().takesAsTheyCome(); }
   /// Whether a person can take the place of the table.
   [[nodiscard]] bool canTurnByHand() const;
   /// From now on a person turns the table.
@@ -124,16 +143,18 @@ class SessionController final : public QObject {
 
  signals:
   void activityChanged();
+  void stepChanged();
   void setUpChanged();
-  void testTurnChanged();
   void sessionChanged();  ///< opened, begun or closed
   void stateChanged();    ///< now, moments and cursor
   void shownChanged();
-  void runEnded();                    ///< an acquisition ended by itself
-  void written(const QString& path);  ///< a model or report
-  void failed(const QString& what);   ///< one sentence for the operator
-  void refused(const QString& why);   ///< what was asked for cannot be done now
-  void message(const QString& what);  ///< for the log
+  void runEnded();                        ///< an acquisition ended by itself
+  void imported();                        ///< recorded scans are in the session
+  void importFailed(const QString& why);  ///< nothing of them is, or not all
+  void written(const QString& path);      ///< a model or report
+  void failed(const QString& what);       ///< one sentence for the operator
+  void refused(const QString& why);       ///< what was asked for cannot be done now
+  void message(const QString& what);      ///< for the log
 
  private:
   struct Publication {
@@ -144,10 +165,7 @@ class SessionController final : public QObject {
   };
   using SessionPointer = std::shared_ptr<Session>;
 
-  void setActivity(Activity activity);
-  template <typename T>
-  void start(Activity activity, const QString& title, std::function<T(const Progress&)> process,
-             std::function<void(T)> done);
+  void changeSetUp(const SharedSetUp& setUp);
   void scanInBackground(bool untilTheEnd);
   /// Whether there is nothing to say against; what there is, is said.
   bool allowed(const QString& whyNot);
@@ -165,20 +183,19 @@ class SessionController final : public QObject {
   std::shared_ptr<RigKeeper> devices_;
   SetUpChoice choice_;
   SharedSetUp setUp_;
-  std::optional<TestTurn> testTurn_;
+  Undertaking work_;
+  DeviceBench bench_;
+  TestScans testScans_;
+  TableCalibrating calibrating_;
   SessionPointer session_;
-  Activity activity_ = Activity::Idle;
   Mode mode_ = Mode::Automatic;  ///< before there is a session
   std::optional<int> table_;
-  JobRunner::Id job_ = 0;
-  std::shared_ptr<std::atomic<bool>> pause_;
   SharedState now_;
   SharedState shown_;
   std::optional<int> shownMoment_;  ///< nothing: now
   std::vector<Moment> moments_;
   int cursor_ = 0;
   QString page_;
-  QString scanFailure_;
 };
 
 }  // namespace vantage

@@ -13,12 +13,6 @@ namespace fs = std::filesystem;
 // The devices that a session is scanned with.
 constexpr const char* kRigNote = "rig";
 
-std::string freeName(const fs::path& folder) {
-  fs::path path = folder / "session.vantage";
-  for (int i = 2; fs::exists(path); ++i) path = folder / ("session-" + std::to_string(i) + ".vantage");
-  return path.string();
-}
-
 // A session may come from anywhere: it runs no program that it names.
 void restoreRig(const Session& session, SetUp& setUp) {
   const std::string text = session.note(kRigNote);
@@ -35,13 +29,19 @@ void restoreRig(const Session& session, SetUp& setUp) {
 
 }  // namespace
 
+std::string freeSessionName(const std::string& folder) {
+  fs::path path = fs::path(folder) / "session.vantage";
+  for (int i = 2; fs::exists(path); ++i) path = fs::path(folder) / ("session-" + std::to_string(i) + ".vantage");
+  return path.string();
+}
+
 std::shared_ptr<Session> createSession(const SetUp& setUp) {
   std::error_code error;
   fs::create_directories(setUp.choice.folder, error);
   if (error) throw IoError(setUp.choice.folder, "cannot be made a folder: " + error.message());
   const Mesh* object = setUp.object ? setUp.object->mesh.get() : nullptr;
-  auto session = std::make_shared<Session>(
-      Session::create(freeName(setUp.choice.folder), {setUp.source, setUp.choice.settings, object, setUp.profile}));
+  auto session = std::make_shared<Session>(Session::create(
+      freeSessionName(setUp.choice.folder), {setUp.source, setUp.choice.settings, object, setUp.profile}));
   session->setNote(kRigNote, rigFileText({setUp.choice.rig, {}}));
   return session;
 }

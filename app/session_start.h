@@ -9,6 +9,9 @@
 
 namespace vantage {
 
+/// "session.vantage" in a folder, or that name with the first number that is free.
+[[nodiscard]] std::string freeSessionName(const std::string& folder);
+
 /// Makes the session of a set-up in its folder, under a name that is still free.
 /// @throws IoError
 [[nodiscard]] std::shared_ptr<Session> createSession(const SetUp& setUp);

@@ -104,7 +104,7 @@ void SessionViews::refresh() {
 
 void SessionViews::showSnapshot(const SharedSnapshot& snapshot) {
   snapshot_ = snapshot;
-  model_->view().setSnapshot(snapshot);
+  model_->setSnapshot(snapshot);
   space_->view().setSnapshot(snapshot);
   map_->setSnapshot(snapshot);
   objective_->setSnapshot(snapshot);

@@ -4,8 +4,8 @@
 
 #include "base/errors.h"
 #include "cli/command.h"
+#include "cli/device_run.h"
 #include "cli/new_session.h"
-#include "cli/person_at_table.h"
 #include "cli/reading_arguments.h"
 #include "cli/rig_arguments.h"
 #include "cli/session_run.h"
@@ -78,17 +78,9 @@ void run(const AcquireArguments& given, CommandContext& context) {
   std::shared_ptr<const Mesh> object;
   if (simulated) object = std::make_shared<const Mesh>(placeObject(args, *profile, context));
   NewFolder folder(args.out);
-  const bool byHand = std::holds_alternative<HandTableDevice>(file.rig.table);
-  PersonAtTable person(profile, 0, args.events, context);
-  HandTable::AskPerson ask;
-  if (byHand) ask = [&](int position, const Progress& progress) { person.ask(position, progress); };
-  DeviceSetUp devices = RealDevices{file.rig, profile, ask, args.reading.options()};
-  if (simulated)
-    devices = Simulated{object, profile, {args.settings.simulation.seed, args.settings.simulation.ideal}, ask};
+  const DeviceRun with{file.rig, object, args.reading.options(), args.events};
   workOnNewSession({session, args.replace, true, {source, args.settings, object.get(), profile}}, context,
-                   [&](Session& made) {
-                     SessionRun(made, args.out, context).run(devices, byHand || args.events ? &person : nullptr);
-                   });
+                   [&](Session& made) { runDevices(made, with, args.out, context); });
   folder.keep();
 }
 

@@ -3,6 +3,7 @@
 #include <array>
 #include <filesystem>
 
+#include "acquisition/model_colours.h"
 #include "base/errors.h"
 #include "cli/text.h"
 #include "io/mesh_writer.h"
@@ -39,8 +40,9 @@ void AcquisitionResults::write(const AcquisitionState& state, const nlohmann::or
                                const Progress& progress) const {
   writeTextFile(file(kReport), report.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
   if (!state.model) return;
-  exportModel(*state.model, file(kModels[0]), progress.part(0.0, 0.5));
-  exportModel(*state.model, file(kModels[1]), progress.part(0.5, 1.0));
+  const VertexColours colours = coloursOf(state, progress.part(0.0, 0.5));
+  exportModel(*state.model, file(kModels[0]), progress.part(0.5, 0.75), Vec3::Zero(), colours);
+  exportModel(*state.model, file(kModels[1]), progress.part(0.75, 1.0), Vec3::Zero(), colours);
 }
 
 }  // namespace vantage

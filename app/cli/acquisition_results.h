@@ -18,7 +18,7 @@ class AcquisitionResults {
   void mustBeNew() const;
   /// @throws InvalidInput when one of them is there and may not be replaced (see checkOutput)
   void mustBeReplaceable(const std::vector<std::string>& inputs) const;
-  /// @throws IoError, Cancelled
+  /// The model as PLY in the colours of its scans, where they have some. @throws IoError, Cancelled
   void write(const AcquisitionState& state, const nlohmann::ordered_json& report, const Progress& progress) const;
 
   [[nodiscard]] std::string file(const char* name) const;

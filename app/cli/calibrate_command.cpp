@@ -50,6 +50,7 @@ std::vector<CalibrationScan> scansOf(const CalibrateArguments& args,
 nlohmann::ordered_json jsonOf(const CalibrationResult& result, const CalibrateArguments& args) {
   nlohmann::ordered_json json = calibrationJson(result.calibration);
   json["plane_sigma_mm"] = result.planeSigma;
+  json["plane_known_by"] = result.planeSeen ? "scans" : "guess";
   json["scans"] = nlohmann::ordered_json::array();
   for (std::size_t k = 0; k < result.scans.size(); ++k) {
     const ScanResidual& scan = result.scans[k];
@@ -76,7 +77,8 @@ std::string textOf(const CalibrationResult& result) {
   if (c.verdict == CalibrationVerdict::Failed) return text;
   text += "axis: through " + triple(c.axisPoint, 2) + " mm along " + triple(c.axisDirection, 5) + ", sure to " +
           number(c.sigma, 3) + " mm and " + number(degrees(c.angleSigma), 3) + " degrees\n";
-  text += "table plane: " + number((tableCentre(c) - c.axisPoint).norm(), 2) + " mm below that point\n";
+  text += "table plane: " + number((tableCentre(c) - c.axisPoint).norm(), 2) + " mm below that point, " +
+          (result.planeSeen ? "sure to " : "not seen but guessed, to ") + number(result.planeSigma, 2) + " mm\n";
   text += "turning: " + std::string(c.sense > 0 ? "counter-clockwise" : "clockwise") +
           " seen from above as it counts upwards, " + number(c.degreesPerCommandedDegree, 4) +
           " degrees for every degree\n";

@@ -14,7 +14,7 @@ CalibrationRig openCalibrationRig(const RigDescription& rig, const ScanReadingOp
                        " has no angle of its own that could be calibrated: name one as serial:PORT, or take the scans "
                        "and give --ranges and --angles");
   opened.sensor = sensorOf(RealDevices{rig, profile, {}, reading, 0});
-  opened.startsByItself = std::holds_alternative<FolderDevice>(rig.sensor);
+  opened.startsByItself = startsByItself(rig.sensor);
   opened.table->open(progress.part(0.0, 0.5));
   opened.sensor->open(progress.part(0.5, 1.0));
   return opened;

@@ -1,6 +1,7 @@
 #include <memory>
 #include <string>
 
+#include "acquisition/model_colours.h"
 #include "cli/command.h"
 #include "cli/open_session.h"
 #include "cli/text.h"
@@ -39,16 +40,38 @@ void addOffset(const Vec3& offset, const std::string& file, nlohmann::ordered_js
           (held ? "was put back\n" : "is not in the file, whose single precision could not hold it; PLY and OBJ can\n");
 }
 
+// Whether the colours that the scans saw are in the file.
+void addColours(const AcquisitionState& state, const VertexColours& colours, const std::string& file,
+                nlohmann::ordered_json& json, std::string& text) {
+  if (!haveColours(viewsOf(state))) return;
+  const bool held = holdsColours(file);
+  json["colours_written"] = held;
+  if (!held) {
+    text += "the colours of the scans are not in the file: STL has none; PLY and OBJ do\n";
+    return;
+  }
+  const std::size_t grey = countColourless(colours);
+  json["coloured_vertices"] = colours.size() - grey;
+  json["grey_vertices"] = grey;
+  text += grey == 0 ? "every vertex has a colour\n"
+                    : std::to_string(colours.size() - grey) + " vertices have a colour; at the other " +
+                          std::to_string(grey) + " none was measured: they are grey (128, 128, 128)\n";
+}
+
 void run(const ExportArguments& args, CommandContext& context) {
   checkOutput(args.out, OutputKind::Mesh, std::vector{args.session});
   const SessionModel read = readSessionModel(args.session, context);
-  exportModel(*read.model, args.out, context.progress().part(0.5, 1.0, "write model"), read.offset);
+  const Progress progress = context.progress();
+  const VertexColours colours =
+      holdsColours(args.out) ? coloursOf(*read.state, progress.part(0.3, 0.5, "colour model")) : VertexColours{};
+  exportModel(*read.model, args.out, progress.part(0.5, 1.0, "write model"), read.offset, colours);
   const auto model = modelJson(read.model->mesh);
   const MeshMeasures measures = measure(read.model->mesh);
   nlohmann::ordered_json json{
       {"file", args.out}, {"model", model}, {"openings", measures.boundaryLoops}, {"pieces", measures.components}};
   std::string text = args.out + ": " + model["triangles"].dump() + " triangles, " + opennessOf(measures) + "\n";
   addOffset(read.offset, args.out, json, text);
+  addColours(*read.state, colours, args.out, json, text);
   context.result(json, text);
 }
 

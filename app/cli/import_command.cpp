@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <memory>
 #include <optional>
 
@@ -10,7 +9,7 @@
 #include "cli/reading_arguments.h"
 #include "cli/session_run.h"
 #include "cli/settings_arguments.h"
-#include "io/scan_poses.h"
+#include "io/recorded_scans.h"
 #include "session/import_note.h"
 #include "session/session.h"
 
@@ -28,52 +27,17 @@ struct ImportArguments {
   SettingsArguments given;
 };
 
+RecordedScans recordedScans(const ImportArguments& args) {
+  RecordedScans recorded{args.files, args.poses, {}, args.reading.options()};
+  recorded.positions.assign(args.positions.begin(), args.positions.end());
+  return recorded;
+}
+
+// In the words of the command line.
 void checkPositions(const ImportArguments& args, const ScannerProfile* profile) {
+  if (args.positions.empty()) return;
   if (profile == nullptr) throw InvalidInput("--position needs --scanner PROFILE.json, which has the positions");
   if (!args.poses.empty()) throw InvalidInput("--position and --poses both say where the scans were taken: give one");
-  if (args.positions.size() != args.files.size())
-    throw InvalidInput("--position has " + std::to_string(args.positions.size()) + " positions for " +
-                       std::to_string(args.files.size()) + " files, expected one for each");
-  const auto count = static_cast<int>(profile->workspace.size());
-  for (const int position : args.positions)
-    if (position >= count)
-      throw InvalidInput("--position is " + std::to_string(position) + ", the workspace has positions 0 to " +
-                         std::to_string(count - 1));
-}
-
-// The scans with the poses that the list or their positions give them.
-std::vector<ReadScan> readAll(const ImportArguments& args, const ScannerProfile* profile, const Progress& progress) {
-  if (args.positions.empty()) {
-    std::optional<std::vector<ScanPose>> list;
-    if (!args.poses.empty()) list = readScanPoses(args.poses, 1.0);
-    return readScans(args.files, list ? &*list : nullptr, profile, args.reading.options(), progress);
-  }
-  checkPositions(args, profile);
-  std::vector<ReadScan> scans;
-  for (std::size_t i = 0; i < args.files.size(); ++i) {
-    const double share = 1.0 / static_cast<double>(args.files.size());
-    const double done = static_cast<double>(i) * share;
-    scans.push_back(readScanAt(args.files[i], *profile, args.positions[i], args.reading.options(),
-                               progress.part(done, done + share)));
-    scans.back().file = i;
-  }
-  return scans;
-}
-
-// The files, with a number where one file is several scans.
-std::vector<std::string> labelsOf(const std::vector<std::string>& files, const std::vector<ReadScan>& scans) {
-  std::vector<std::string> labels;
-  std::vector<std::size_t> part(files.size(), 0);
-  for (const ReadScan& scan : scans) ++part[scan.file];
-  const std::vector<std::size_t> parts = part;
-  std::fill(part.begin(), part.end(), 0);
-  for (const ReadScan& scan : scans) {
-    const std::string number =
-        parts[scan.file] > 1 ? " part " + std::to_string(++part[scan.file]) + " of " + std::to_string(parts[scan.file])
-                             : std::string();
-    labels.push_back(files[scan.file] + number);
-  }
-  return labels;
 }
 
 void run(const ImportArguments& args, CommandContext& context) {
@@ -85,7 +49,9 @@ void run(const ImportArguments& args, CommandContext& context) {
     profile = std::make_shared<const ScannerProfile>(parseProfile(*source));
   }
   const Progress progress = context.progress();
-  std::vector<ReadScan> scans = readAll(args, profile.get(), progress.part(0.0, 0.1, "read scans"));
+  checkPositions(args, profile.get());
+  std::vector<ReadScan> scans =
+      readRecordedScans(recordedScans(args), profile.get(), progress.part(0.0, 0.1, "read scans"));
   const std::string lines = readingLines(args.files, scans);
   const std::vector<std::string> labels = labelsOf(args.files, scans);
   std::vector<RangeImage> images;

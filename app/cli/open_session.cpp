@@ -38,7 +38,7 @@ std::shared_ptr<const AcquisitionState> readSession(const std::string& path, Com
 SessionModel readSessionModel(const std::string& path, CommandContext& context) {
   const auto state = readSession(path, context);
   if (!state->model) throw InvalidInput(path + ": has no model yet, expected at least one view");
-  return {state->model, worldOffset(outlineOf(*state))};
+  return {state->model, worldOffset(outlineOf(*state)), state};
 }
 
 }  // namespace vantage

@@ -19,7 +19,8 @@ void checkSession(const Session& session, CommandContext& context);
 /// A model, and what was taken off its scans (see worldOffset).
 struct SessionModel {
   std::shared_ptr<const Model> model;
-  Vec3 offset = Vec3::Zero();  ///< [mm]
+  Vec3 offset = Vec3::Zero();                     ///< [mm]
+  std::shared_ptr<const AcquisitionState> state;  ///< that it is the model of
 };
 
 /// The model at the cursor.

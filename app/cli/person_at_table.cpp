@@ -67,6 +67,8 @@ Rig PersonAtTable::told(Rig rig) {
 }
 
 void PersonAtTable::ask(int position, const Progress& progress) {
+  if (skipped_.contains(position))
+    throw PositionSkipped("position " + std::to_string(position) + " was skipped before");
   const double to = rounded(turnBetween(profile_->workspace, 0, position).angle);
   const double by = rounded(turnBetween(profile_->workspace, position_, position).angle);
   if (events_) {
@@ -78,7 +80,10 @@ void PersonAtTable::ask(int position, const Progress& progress) {
                   "), and press Enter; 'skip' for another position, 'stop' to end here");
   }
   const std::string said = answer(progress);
-  if (said == "skip") throw PositionSkipped("position " + std::to_string(position) + " was skipped");
+  if (said == "skip") {
+    skipped_.insert(position);
+    throw PositionSkipped("position " + std::to_string(position) + " was skipped");
+  }
   if (said == "stop") throw EndedByPerson("ended here");
   position_ = position;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <set>
 #include <string>
 
 #include "base/errors.h"
@@ -30,7 +31,8 @@ class PersonAtTable {
   /// @param position at which the table stands
   PersonAtTable(std::shared_ptr<const ScannerProfile> profile, int position, bool events, CommandContext& context);
 
-  /// Asks to turn the table to a position, and waits for the answer.
+  /// Asks to turn the table to a position, and waits for the answer. A position that was skipped is not asked for
+  /// again.
   /// @throws PositionSkipped, EndedByPerson, also when nobody answers any more; Cancelled
   void ask(int position, const Progress& progress);
 
@@ -47,6 +49,7 @@ class PersonAtTable {
   bool events_;
   CommandContext& context_;
   int position_;
+  std::set<int> skipped_;
   std::string typed_;  // after the last whole line
 };
 

@@ -60,14 +60,16 @@ void run(const ProfileArguments& args, CommandContext& context) {
                {"range_sigma_mm", fit.noise},
                {"noise_from", fit.noiseFromRepeats ? "repeated_scans" : "even_patches"},
                {"breakdown_angle_deg", degrees(fit.breakdownAngle)},
+               {"breakdown_angle_between_deg", {degrees(fit.end.from), degrees(fit.end.to)}},
                {"nearest_mm", fit.nearest},
                {"farthest_mm", fit.farthest}});
   const std::string text =
       "rays: " + std::string(fit.type == "pinhole" ? "a depth camera" : "a table of rays, " + rayPath) +
       "; samples lie " + number(fit.residual, 3) + " mm beside them\n" + "noise: " + number(fit.noise, 3) +
       " mm along the rays, " + (fit.noiseFromRepeats ? "from scans of the same" : "from even patches") + "\n" +
-      "samples end at " + number(degrees(fit.breakdownAngle), 0) + " degrees, and lie " + number(fit.nearest, 0) +
-      " to " + number(fit.farthest, 0) + " mm away\n" + "written: " + args.out + "\n";
+      "samples end at " + number(degrees(fit.breakdownAngle), 0) + " degrees (between " +
+      number(degrees(fit.end.from), 0) + " and " + number(degrees(fit.end.to), 0) + "), and lie " +
+      number(fit.nearest, 0) + " to " + number(fit.farthest, 0) + " mm away\n" + "written: " + args.out + "\n";
   context.result(json, text);
   context.note("where the table stands is for vantage-cli calibrate to find, with this profile");
 }

@@ -1,4 +1,5 @@
 #include <QBuffer>
+#include <algorithm>
 #include <memory>
 #include <optional>
 
@@ -10,6 +11,7 @@
 #include "cli/open_session.h"
 #include "cli/picture_application.h"
 #include "cli/text.h"
+#include "integration/colouring.h"
 #include "io/output_file.h"
 #include "osmesa/osmesa_window.h"
 #include "planning/plan_images.h"
@@ -27,9 +29,11 @@ struct RenderArguments {
   std::string out;
   std::string size = "1280x800";
   bool dark = false;
+  std::string surface;
 };
 
 constexpr int kLargestSide = 8192;
+const std::vector<std::string> kSurfaces{"plain", "confidence", "view", "age", "colours"};  // as ModelColouring
 const std::vector<std::string> kViews{"model", "void", "ps-void", "ps-seen", "ps-scanner", "objective"};
 
 QSize parseSize(const std::string& text) {
@@ -84,7 +88,7 @@ SharedSnapshot snapshotFor(const RenderArguments& args, const Session& session, 
 }
 
 std::shared_ptr<const ModelGeometry> geometryOf(const ViewSnapshot& snapshot) {
-  return snapshot.state->model ? prepareModelGeometry(snapshot.state->model) : nullptr;
+  return prepareGeometryOf(*snapshot.state);
 }
 
 template <typename PictureScene, typename Options>
@@ -98,10 +102,21 @@ QImage pictureOf(const Options& options, const SharedSnapshot& snapshot, const Q
   return makePicture(scene.scene(), scene.overlay(), theme, *osmesaWindows()(), size, 1.0);
 }
 
+// By themselves models are in their colours.
+std::optional<ModelColouring> colouringOf(const RenderArguments& args, const ViewSnapshot& snapshot) {
+  if (args.surface.empty()) return std::nullopt;
+  const auto found = std::find(kSurfaces.begin(), kSurfaces.end(), args.surface);
+  const auto colouring = static_cast<ModelColouring>(found - kSurfaces.begin());
+  if (colouring == ModelColouring::Colours && !haveColours(snapshot.views))
+    throw InvalidInput(args.session + ": none of its scans has colours, --surface colours needs some");
+  return colouring;
+}
+
 QImage modelPicture(const RenderArguments& args, const SharedSnapshot& snapshot, const QSize& size,
                     const Theme& theme) {
   ModelViewOptions options;
   options.voidPatches = args.view == "void";
+  options.colouring = colouringOf(args, *snapshot);
   options.voidColouring = snapshot->proposed() ? VoidColouring::EdgeClass : VoidColouring::State;
   return pictureOf<ModelScene>(options, snapshot, size, theme);
 }
@@ -162,6 +177,10 @@ void addRenderCommand(CLI::App& app, CommandContext& context) {
   CLI::App* command = app.add_subcommand("render", "Draw a view of a session as a PNG picture, without a display");
   command->add_option("session", args->session, "Session file")->required();
   command->add_option("--view", args->view, "What to draw")->check(CLI::IsMember(kViews))->capture_default_str();
+  command
+      ->add_option("--surface", args->surface,
+                   "What --view model and void colour the surface by; where scans have colours, by these")
+      ->check(CLI::IsMember(kSurfaces));
   command->add_option("--step", args->step, "The session as it was after so many views; the last by default");
   command->add_option("--out", args->out, "PNG file to write")->required();
   command->add_option("--size", args->size, "Width and height in pixels")->capture_default_str();

@@ -27,7 +27,7 @@ std::vector<ReportPicture> modelPictures(const std::shared_ptr<const Acquisition
   options.voidColouring = VoidColouring::State;
   scene.setTheme(lightTheme());
   scene.setOptions(options);
-  scene.set(makeSnapshot(state), prepareModelGeometry(state->model));
+  scene.set(makeSnapshot(state), prepareGeometryOf(*state));
   const auto window = osmesaWindows()();
   std::vector<ReportPicture> pictures;
   for (const auto& [preset, caption] :

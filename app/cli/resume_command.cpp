@@ -4,10 +4,10 @@
 #include "acquisition/acquisition.h"
 #include "base/errors.h"
 #include "cli/command.h"
+#include "cli/device_run.h"
 #include "cli/import_result.h"
 #include "cli/new_session.h"
 #include "cli/open_session.h"
-#include "cli/person_at_table.h"
 #include "cli/reading_arguments.h"
 #include "cli/rig_arguments.h"
 #include "cli/session_run.h"
@@ -36,25 +36,15 @@ void finishImport(Session& session, const ImportScans& import, CommandContext& c
 }
 
 // Goes on with the devices that were named; with the simulated ones that the session was begun with otherwise.
-void runDevices(Session& session, const ResumeArguments& args, const std::string& out, CommandContext& context) {
+void goOn(Session& session, const ResumeArguments& args, const std::string& out, CommandContext& context) {
   const RigFile file = args.rig.described();
-  const AcquisitionSettings& settings = session.state()->settings;
-  if (!args.rig.given() && settings.simulation.object.empty())
+  if (!args.rig.given() && session.state()->settings.simulation.object.empty())
     throw InvalidInput(session.path() +
                        ": was not scanned by the simulated scanner: say with --sensor and --table, or "
                        "--rig, what is there to go on with");
-  const bool simulated = isSimulated(file.rig);
-  const bool byHand = std::holds_alternative<HandTableDevice>(file.rig.table);
-  PersonAtTable person(session.profile(), tablePosition(session).value_or(0), args.events, context);
-  HandTable::AskPerson ask;
-  if (byHand) ask = [&](int position, const Progress& progress) { person.ask(position, progress); };
-  DeviceSetUp devices =
-      RealDevices{file.rig, session.profile(), ask, args.reading.options(), tablePosition(session).value_or(0)};
-  if (simulated) {
-    const auto object = std::make_shared<const Mesh>(session.object(context.progress()));
-    devices = Simulated{object, session.profile(), {settings.simulation.seed, settings.simulation.ideal}, ask};
-  }
-  SessionRun(session, out, context).run(devices, byHand || args.events ? &person : nullptr);
+  DeviceRun with{file.rig, nullptr, args.reading.options(), args.events};
+  if (isSimulated(file.rig)) with.object = std::make_shared<const Mesh>(session.object(context.progress()));
+  runDevices(session, with, out, context);
 }
 
 void run(const ResumeArguments& args, CommandContext& context) {
@@ -73,7 +63,7 @@ void run(const ResumeArguments& args, CommandContext& context) {
   const std::string out = args.out.empty() ? beside : args.out;
   AcquisitionResults(out).mustBeReplaceable({session.state()->settings.simulation.object});
   NewFolder folder(out);
-  runDevices(session, args, out, context);
+  goOn(session, args, out, context);
   folder.keep();
 }
 

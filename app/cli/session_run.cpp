@@ -14,12 +14,17 @@
 #include "report/report.h"
 #include "report/wording.h"
 #include "scanner/profile_size.h"
+#include "session/table_note.h"
 
 namespace vantage {
 namespace {
 
 // Triangles of a model that is written while somebody waits for the program to end.
 constexpr std::size_t kWrittenAtOnce = 500'000;
+
+bool takesLong(const AcquisitionState& state) {
+  return state.model && state.model->mesh.triangles.size() > kWrittenAtOnce;
+}
 
 std::string positionText(const KeptScan& scan) {
   return scan.station().position ? std::to_string(*scan.station().position) : "none";
@@ -101,14 +106,11 @@ void SessionRun::run(const DeviceSetUp& devices, PersonAtTable* person) {
     AcquisitionState cancelled = *last_;
     cancelled.termination = Termination::Cancelled;
     last_ = std::make_shared<const AcquisitionState>(std::move(cancelled));
-    if (last_->model && last_->model->mesh.triangles.size() > kWrittenAtOnce)
-      context_.note("the model has " + std::to_string(last_->model->mesh.triangles.size()) +
-                    " triangles and is in the session only: vantage-cli export and report write it from there");
-    else
-      writeResults({});
+    // Without a scan nothing is left, and the same command may come again.
+    if (session_.scanCount() > 0) writeStopped();
     throw;
   }
-  writeResults(context_.progress().part(0.0, 1.0, "writing the results"));
+  writeResults();
   announce();
 }
 
@@ -132,6 +134,7 @@ void SessionRun::acquireAll(const DeviceSetUp& devices, PersonAtTable* person) {
       *profile, cacheDirectory(), context_.progress().part(0.0, 1.0, "positional space of the scanner")));
   // Scans that were taken before have moved a simulated turntable, whatever became of them.
   Rig rig = DeviceFactory().open(devices, session_.scanCount(), context_.progress());
+  if (std::holds_alternative<RealDevices>(devices)) rig = remarked(rig, session_);
   if (person != nullptr) rig = person->told(rig);
   if (const auto unused = session_.unusedScan())
     context_.note("scan " + std::to_string(unused->number) + " was not yet added: going on with it");
@@ -154,7 +157,16 @@ void SessionRun::acquireAll(const DeviceSetUp& devices, PersonAtTable* person) {
   if (person != nullptr) person->tell({{"event", "done"}, {"terminated_by", name(last_->termination)}});
 }
 
-void SessionRun::writeResults(const Progress& progress) {
+void SessionRun::writeStopped() {
+  if (!takesLong(*last_)) return writeResults();
+  context_.note("the model has " + std::to_string(last_->model->mesh.triangles.size()) +
+                " triangles and is in the session only: vantage-cli export and report write it from there");
+}
+
+void SessionRun::writeResults() {
+  // Whatever stopped the run: what it came to is written, unless that takes long.
+  const Progress progress = takesLong(*last_) ? context_.progress().part(0.0, 1.0, "writing the results")
+                                              : Progress({}, {}, context_.progress().threads());
   progress.checkpoint(0.0);
   report_ = makeReport(*last_, VANTAGE_VERSION);
   results_.write(*last_, report_, progress.part(0.3, 1.0));

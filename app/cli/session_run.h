@@ -25,7 +25,8 @@ class SessionRun {
  private:
   void acquireAll(const DeviceSetUp& devices, PersonAtTable* person);
   void tellLast(PersonAtTable* person);
-  void writeResults(const Progress& progress);
+  void writeResults();
+  void writeStopped();
   void announce();
 
   Session& session_;

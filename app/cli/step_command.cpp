@@ -8,6 +8,7 @@
 #include "cli/reading_arguments.h"
 #include "cli/session_run.h"
 #include "cli/settings_arguments.h"
+#include "io/recorded_scans.h"
 #include "positional_space/scanner_images_cache.h"
 #include "report/report.h"
 #include "session/reading_json.h"
@@ -49,6 +50,7 @@ void run(const StepArguments& args, CommandContext& context) {
   if (!args.given.empty()) changeSettings(session, args.given.appliedToSession(session.state()->settings), context);
   const Progress progress = context.progress();
   ReadScan scan = readScan(args, session, progress.part(0.0, 0.1, "read scan"));
+  requireSaidUnit({args.range}, {scan});
   const auto images = std::make_shared<const ScannerImages>(loadScannerImages(
       *session.profile(), cacheDirectory(), progress.part(0.1, 0.2, "positional space of the scanner")));
   Acquisition acquisition(session, {{}, images});

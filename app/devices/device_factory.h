@@ -10,6 +10,7 @@
 #include "io/scan_reader.h"
 #include "scanner/hand_table.h"
 #include "scanner/simulated_sensor.h"
+#include "scanner/table_stand.h"
 
 namespace vantage {
 
@@ -30,7 +31,7 @@ struct RealDevices {
   std::shared_ptr<const ScannerProfile> profile;
   HandTable::AskPerson ask;    ///< for a table that a person turns
   ScanReadingOptions reading;  ///< what is said about files that come as scans
-  int standsAt = 0;            ///< position at which the table stands when it is opened
+  TableStand stands = {};      ///< where the table stands when it is opened
 };
 
 /// What scans are taken with, by kind.

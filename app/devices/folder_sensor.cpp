@@ -88,6 +88,17 @@ void FolderSensor::announceMove() {
   }
 }
 
+void FolderSensor::standAt(const ReachedPose& pose) {
+  pose_ = pose.T_table_scanner;
+  if (!begun_ || !pose.movedUntil) return;
+  try {
+    for (const std::string& path : watch_.dismissBegunBefore(*pose.movedUntil))
+      refuse(path, path + ": was begun while the table still turned, so it shows no position: scan again");
+  } catch (const IoError&) {
+    begun_ = false;  // as in announceMove
+  }
+}
+
 RangeImage FolderSensor::capture(const Progress& progress) {
   if (!open_) throw DeviceError(identity() + ": it is not open");
   const auto start = Clock::now();
@@ -128,7 +139,7 @@ std::optional<RangeImage> FolderSensor::take(const WatchedFile& file, const Prog
     const auto same = taken_.find(hash);
     if (same != taken_.end()) {
       if (same->second != file.path)
-        refuse(file, file.path + ": has the content of " + nameOf(same->second) + ", which was taken already");
+        refuse(file.path, file.path + ": has the content of " + nameOf(same->second) + ", which was taken already");
       watch_.dismiss(file);
       return std::nullopt;
     }
@@ -146,22 +157,22 @@ std::optional<RangeImage> FolderSensor::take(const WatchedFile& file, const Prog
     return image;
   } catch (const UnansweredQuestion& e) {
     watch_.keep(file);
-    refuse(file, e.what());
+    refuse(file.path, e.what());
     throw DeviceError(e.what());
   } catch (const Cancelled&) {
     watch_.keep(file);
     throw;
   } catch (const Error& e) {
     watch_.dismiss(file);
-    refuse(file, e.what());
+    refuse(file.path, e.what());
   }
   return std::nullopt;
 }
 
-void FolderSensor::refuse(const WatchedFile& file, std::string reason) {
+void FolderSensor::refuse(const std::string& path, std::string reason) {
   const std::lock_guard lock(mutex_);
   lastRefused_ = reason;
-  refused_[file.path] = std::move(reason);
+  refused_[path] = std::move(reason);
 }
 
 std::string FolderSensor::waitingText() const {

@@ -48,7 +48,8 @@ class FolderSensor final : public RangeSensor {
   /// is then taken when the next sensor or capture has it; Cancelled
   [[nodiscard]] RangeImage capture(const Progress& progress) override;
   void announceMove() override;
-  void standAt(const ReachedPose& pose) override { pose_ = pose.T_table_scanner; }
+  /// A file that somebody began to write while the table was still turning is of no position, and not taken.
+  void standAt(const ReachedPose& pose) override;
 
   /// What the operator says about the files from now on.
   void setReading(const ScanReadingOptions& reading) { options_.reading = reading; }
@@ -61,7 +62,7 @@ class FolderSensor final : public RangeSensor {
  private:
   [[nodiscard]] std::optional<RangeImage> takeOne(const Progress& progress);
   [[nodiscard]] std::optional<RangeImage> take(const WatchedFile& file, const Progress& progress);
-  void refuse(const WatchedFile& file, std::string reason);
+  void refuse(const std::string& path, std::string reason);
   [[nodiscard]] std::string waitingText() const;
   [[noreturn]] void tooLate() const;
 

@@ -1,5 +1,6 @@
 #include "devices/folder_watch.h"
 
+#include <fcntl.h>
 #include <sys/stat.h>
 
 #include <algorithm>
@@ -38,7 +39,7 @@ bool isUnfinished(const std::string& name) {
   return name.ends_with('~') || contains(kUnfinished, extensionOf(name));
 }
 
-std::int64_t nanoseconds(const timespec& time) {
+std::int64_t nanoseconds(const statx_timestamp& time) {
   return std::int64_t{time.tv_sec} * 1'000'000'000 + time.tv_nsec;
 }
 
@@ -50,15 +51,20 @@ std::chrono::nanoseconds age(const FileStamp& stamp) {
 }  // namespace
 
 FileStamp stampOf(const std::string& path) {
-  struct stat of {};
-  if (::stat(path.c_str(), &of) != 0 || !S_ISREG(of.st_mode)) return {};
-  FileStamp stamp{
-      of.st_dev, of.st_ino, static_cast<std::uint64_t>(of.st_size), nanoseconds(of.st_mtim), nanoseconds(of.st_ctim),
-      0};
+  struct statx of {};
+  if (::statx(AT_FDCWD, path.c_str(), 0, STATX_BASIC_STATS | STATX_BTIME, &of) != 0 || !S_ISREG(of.stx_mode)) return {};
+  FileStamp stamp;
+  stamp.device = std::uint64_t{of.stx_dev_major} << 32 | of.stx_dev_minor;
+  stamp.inode = of.stx_ino;
+  stamp.size = of.stx_size;
+  stamp.modified = nanoseconds(of.stx_mtime);
+  if ((of.stx_mask & STATX_BTIME) != 0) stamp.made = nanoseconds(of.stx_btime);
+  stamp.changed = nanoseconds(of.stx_ctime);
   if (extensionOf(path) == "png") {
     const std::string beside = intrinsicsBeside(path);
-    struct stat other {};
-    if (!beside.empty() && ::stat(beside.c_str(), &other) == 0) stamp.beside = nanoseconds(other.st_mtim);
+    struct statx other {};
+    if (!beside.empty() && ::statx(AT_FDCWD, beside.c_str(), 0, STATX_MTIME, &other) == 0)
+      stamp.beside = nanoseconds(other.stx_mtime);
   }
   return stamp;
 }
@@ -68,6 +74,12 @@ bool FolderWatch::isIgnored(const std::string& name) {
   if (lower.empty() || lower.front() == '.' || isUnfinished(lower)) return true;
   if (lower.find("thumb") != std::string::npos || lower.find("preview") != std::string::npos) return true;
   return contains(kOthers, extensionOf(lower));
+}
+
+// Was modified just now.
+bool FolderWatch::isFresh(const FileStamp& stamp) const {
+  const auto old = age(stamp);
+  return old < rest_ && old > -rest_;
 }
 
 void FolderWatch::see(const std::string& path) {
@@ -116,30 +128,50 @@ void FolderWatch::list() {
 void FolderWatch::begin() {
   list();
   for (auto& [path, known] : known_) {
-    const auto old = age(known.stamp);
-    const bool fresh = old < rest_ && old > -rest_;
-    if (!known.kept && !fresh) known.done = true;
+    if (!known.kept && !isFresh(known.stamp)) known.done = true;
     known.kept = false;
   }
 }
 
 void FolderWatch::beginAnew() {
   list();
+  const auto now = std::chrono::steady_clock::now();
   for (auto& [path, known] : known_) {
-    known.barred = !known.kept;
-    if (known.barred) known.done = true;
+    const bool written = known.renamed || now - known.since >= rest_ || !isFresh(known.stamp);
+    known.barred = !known.kept && !written;
+    if (!known.kept) known.done = true;
     known.kept = false;
+    known.old = true;
   }
+  begunAnew_ = now;
   barred_.clear();
   for (const auto& [file, path] : unfinished_) barred_.insert(file);
+}
+
+std::vector<std::string> FolderWatch::dismissBegunBefore(std::chrono::system_clock::time_point moment) {
+  list();
+  const auto since = std::chrono::duration_cast<std::chrono::nanoseconds>(moment.time_since_epoch()).count();
+  std::vector<std::string> dismissed;
+  for (auto& [path, known] : known_) {
+    const bool came = !known.old || known.since > begunAnew_;
+    const bool isNew = !known.old && known.stamp.made != 0;
+    if (known.done || !came || (isNew ? known.stamp.made : known.stamp.modified) >= since) continue;
+    known.done = true;
+    known.barred = true;
+    dismissed.push_back(path);
+  }
+  return dismissed;
 }
 
 std::vector<WatchedFile> FolderWatch::look() {
   list();
   std::vector<WatchedFile> files;
   const auto now = std::chrono::steady_clock::now();
-  for (const auto& [path, known] : known_)
-    if (!known.done && (known.renamed || now - known.since >= rest_)) files.push_back({path, known.stamp});
+  for (auto& [path, known] : known_) {
+    const bool rests = now - known.since >= rest_;
+    if (rests) known.barred = false;
+    if (!known.done && (known.renamed || rests)) files.push_back({path, known.stamp});
+  }
   std::sort(files.begin(), files.end(), [](const WatchedFile& a, const WatchedFile& b) {
     return std::tie(a.stamp.modified, a.path) < std::tie(b.stamp.modified, b.path);
   });

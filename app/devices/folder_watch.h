@@ -16,6 +16,7 @@ struct FileStamp {
   std::uint64_t inode = 0;
   std::uint64_t size = 0;     ///< [bytes]
   std::int64_t modified = 0;  ///< [ns since the epoch]
+  std::int64_t made = 0;      ///< likewise; 0 where the file system does not tell
   std::int64_t changed = 0;   ///< likewise, of name and rights
   std::int64_t beside = 0;    ///< likewise, when the file that belongs to it was modified; 0 without one
 
@@ -44,8 +45,13 @@ class FolderWatch {
   void begin();
 
   /// The same before a move: what is there already, also what is still being written, is of an earlier scan and not
-  /// offered any more, but for files that are kept. @throws IoError as look
+  /// offered any more, but for files that are kept, and for finished ones that are written anew. @throws IoError as
+  /// look
   void beginAnew();
+
+  /// Dismisses the files there are that came since beginAnew() and whose writing began before a moment.
+  /// @return their names. @throws IoError as look
+  std::vector<std::string> dismissBegunBefore(std::chrono::system_clock::time_point moment);
 
   /// The files that are finished and not dismissed, oldest first, of the same time by name.
   /// @throws IoError when the folder is not there or cannot be read
@@ -65,15 +71,18 @@ class FolderWatch {
     std::chrono::steady_clock::time_point since;
     bool renamed = false;
     bool done = false;
-    bool barred = false;  // is not offered when it changes, either
+    bool barred = false;  // is still being written: until it rests it is not offered when it changes, either
+    bool old = false;     // was there when beginAnew() was called last
     bool kept = false;
     bool seen = false;
   };
   void list();
+  [[nodiscard]] bool isFresh(const FileStamp& stamp) const;
   void see(const std::string& path);
 
   std::string folder_;
   std::chrono::milliseconds rest_;
+  std::chrono::steady_clock::time_point begunAnew_;
   std::map<std::string, Known> known_;
   std::map<std::pair<std::uint64_t, std::uint64_t>, std::string> unfinished_;  // by device and inode
   std::set<std::pair<std::uint64_t, std::uint64_t>> barred_;                   // of those when a move began

@@ -37,6 +37,7 @@ struct SensorMaking {
 
 struct TableMaking {
   const RealDevices& setUp;
+  std::shared_ptr<Turntable> table;
 
   std::shared_ptr<Positioner> operator()(const SimulatedTableDevice&) const {
     throw InvalidInput("the simulated table turns before the simulated scanner only: choose both, or neither");
@@ -49,14 +50,17 @@ struct TableMaking {
     return std::make_shared<HandTable>(setUp.profile, setUp.ask, kTurnedByHand);
   }
   template <typename Device>
-  std::shared_ptr<Positioner> operator()(const Device& device) const {
-    const bool startsByItself = std::holds_alternative<FolderDevice>(setUp.rig.sensor);
-    return std::make_shared<TurntablePositioner>(setUp.profile, turntableOf(TableDevice(device)),
-                                                 TurntableUse{setUp.standsAt, startsByItself});
+  std::shared_ptr<Positioner> operator()(const Device& /*turns*/) const {
+    return std::make_shared<TurntablePositioner>(setUp.profile, table,
+                                                 TurntableUse{setUp.stands, startsByItself(setUp.rig.sensor)});
   }
 };
 
 }  // namespace
+
+bool startsByItself(const SensorDevice& sensor) {
+  return std::holds_alternative<FolderDevice>(sensor);
+}
 
 std::shared_ptr<Turntable> turntableOf(const TableDevice& table) {
   if (const auto* serial = std::get_if<SerialTableDevice>(&table)) return serialTurntable(*serial);
@@ -69,7 +73,8 @@ std::shared_ptr<RangeSensor> sensorOf(const RealDevices& setUp) {
 }
 
 Rig realRig(const RealDevices& setUp) {
-  return {sensorOf(setUp), std::visit(TableMaking{setUp}, setUp.rig.table)};
+  const auto table = turntableOf(setUp.rig.table);
+  return {sensorOf(setUp), std::visit(TableMaking{setUp, table}, setUp.rig.table), table};
 }
 
 }  // namespace vantage

@@ -3,10 +3,18 @@
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QMenu>
+#include <QSignalBlocker>
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "integration/colouring.h"
+
 namespace vantage {
+namespace {
+
+constexpr int kColours = static_cast<int>(ModelColouring::Colours);
+
+}  // namespace
 
 ModelPane::ModelPane(const SurfaceMaker& surfaces, const std::shared_ptr<GeometryStore>& store, QWidget* parent)
     : QWidget(parent), view_(new ModelView(surfaces, nullptr, store)), notice_(new QToolButton) {
@@ -15,8 +23,9 @@ ModelPane::ModelPane(const SurfaceMaker& surfaces, const std::shared_ptr<Geometr
   column->setSpacing(0);
   auto* bar = new QHBoxLayout;
   bar->setContentsMargins(6, 4, 6, 4);
-  addChoice(*bar, tr("Colour of the surface"), {tr("Plain"), tr("Confidence"), tr("View"), tr("Age")},
-            [](ModelViewOptions& o, int i) { o.colouring = static_cast<ModelColouring>(i); });
+  colouring_ = addChoice(*bar, tr("Colour of the surface"), {tr("Plain"), tr("Confidence"), tr("View"), tr("Age")},
+                         [](ModelViewOptions& o, int i) { o.colouring = static_cast<ModelColouring>(i); });
+  colouring_->setObjectName(QStringLiteral("colouring"));
   addChoice(*bar, tr("Colour of the void"), {tr("Void by edge class"), tr("Void by state")},
             [](ModelViewOptions& o, int i) { o.voidColouring = static_cast<VoidColouring>(i); });
   addSwitch(*bar, tr("Void"), tr("Void patches: where the unseen begins"), &ModelViewOptions::voidPatches);
@@ -35,8 +44,22 @@ ModelPane::ModelPane(const SurfaceMaker& surfaces, const std::shared_ptr<Geometr
   connect(notice_, &QToolButton::clicked, this, &ModelPane::noticeClicked);
 }
 
-void ModelPane::addChoice(QHBoxLayout& bar, const QString& name, const QStringList& options,
-                          const std::function<void(ModelViewOptions&, int)>& apply) {
+void ModelPane::setSnapshot(const SharedSnapshot& snapshot) {
+  offerColours(snapshot && haveColours(snapshot->views));
+  view_->setSnapshot(snapshot);
+}
+
+// The last of the choices, made by itself as long as nobody has made another.
+void ModelPane::offerColours(bool offered) {
+  const QSignalBlocker quiet(colouring_);
+  if (offered && colouring_->count() == kColours) colouring_->addItem(tr("Colours"));
+  if (!offered && colouring_->count() > kColours) colouring_->removeItem(kColours);
+  const int chosen = static_cast<int>(view_->options().colouring.value_or(ModelColouring::Colours));
+  colouring_->setCurrentIndex(chosen < colouring_->count() ? chosen : static_cast<int>(ModelColouring::Plain));
+}
+
+QComboBox* ModelPane::addChoice(QHBoxLayout& bar, const QString& name, const QStringList& options,
+                                const std::function<void(ModelViewOptions&, int)>& apply) {
   auto* box = new QComboBox;
   box->addItems(options);
   box->setToolTip(name);
@@ -47,6 +70,7 @@ void ModelPane::addChoice(QHBoxLayout& bar, const QString& name, const QStringLi
     view_->setOptions(changed);
   });
   bar.addWidget(box);
+  return box;
 }
 
 void ModelPane::addSwitch(QHBoxLayout& bar, const QString& text, const QString& help, bool ModelViewOptions::*value) {

@@ -18,6 +18,8 @@ class ModelPane final : public QWidget {
   ModelPane(const SurfaceMaker& surfaces, const std::shared_ptr<GeometryStore>& store, QWidget* parent = nullptr);
 
   [[nodiscard]] ModelView& view() { return *view_; }
+  /// Shows it, and offers the colours of its scans where they saw some.
+  void setSnapshot(const SharedSnapshot& snapshot);
   /// A line over the view, for instance that an earlier moment is shown; empty hides it.
   void setNotice(const QString& text);
 
@@ -25,12 +27,14 @@ class ModelPane final : public QWidget {
   void noticeClicked();
 
  private:
-  void addChoice(QHBoxLayout& bar, const QString& name, const QStringList& options,
-                 const std::function<void(ModelViewOptions&, int)>& apply);
+  QComboBox* addChoice(QHBoxLayout& bar, const QString& name, const QStringList& options,
+                       const std::function<void(ModelViewOptions&, int)>& apply);
   void addSwitch(QHBoxLayout& bar, const QString& text, const QString& help, bool ModelViewOptions::*value);
   void addCamera(QHBoxLayout& bar);
+  void offerColours(bool offered);
 
   ModelView* view_;
+  QComboBox* colouring_ = nullptr;
   QToolButton* notice_;
 };
 

@@ -32,19 +32,23 @@ QString labelOf(const SettingField& field) {
 
 }  // namespace
 
-SettingsForm::SettingsForm(QWidget* parent) : QWidget(parent) {
-  build();
+SettingsForm::SettingsForm(std::string_view group, QWidget* parent) : QWidget(parent) {
+  build(group);
 }
 
-void SettingsForm::build() {
+void SettingsForm::build(std::string_view group) {
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   QFormLayout* basic = makeForm(*column);
   for (const SettingField& field : settingFields())
-    if (field.audience == SettingAudience::Basic) add(field, *basic);
+    if (group.empty() ? field.audience == SettingAudience::Basic : groupOf(field) == group) add(field, *basic);
   complaint_ = makeLabel({}, "warning");
   complaint_->setObjectName(QStringLiteral("settings_complaint"));
   complaint_->hide();
+  if (!group.empty()) {
+    column->addWidget(complaint_);
+    return;
+  }
 
   auto* unfold = new QToolButton;
   unfold->setObjectName(QStringLiteral("expert_settings"));

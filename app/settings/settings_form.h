@@ -2,6 +2,7 @@
 
 #include <QWidget>
 #include <functional>
+#include <string_view>
 #include <vector>
 
 #include "acquisition/setting_field.h"
@@ -18,7 +19,8 @@ class SettingsForm final : public QWidget {
   Q_OBJECT
 
  public:
-  explicit SettingsForm(QWidget* parent = nullptr);
+  /// @param group that is edited, all of it in sight; empty: all groups
+  explicit SettingsForm(std::string_view group = {}, QWidget* parent = nullptr);
 
   [[nodiscard]] const AcquisitionSettings& settings() const { return settings_; }
   void setSettings(const AcquisitionSettings& settings);
@@ -29,6 +31,9 @@ class SettingsForm final : public QWidget {
   /// All that changes settings.
   [[nodiscard]] const std::vector<QWidget*>& editors() const { return editors_; }
 
+  /// Says what is wrong with options that came from elsewhere, until something is edited.
+  void complain(const QString& what) { judge(what); }
+
   /// A profile of options, to and from a file. What is wrong is said in the form; the settings then stay as they are.
   void save(const QString& path);
   void load(const QString& path);
@@ -37,7 +42,7 @@ class SettingsForm final : public QWidget {
   void edited();
 
  private:
-  void build();
+  void build(std::string_view group);
   QWidget* buildExpertPart();
   QWidget* buildFileButtons();
   void add(const SettingField& field, QFormLayout& form);

@@ -6,6 +6,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "docks/job_panel.h"
 #include "ending_text.h"
 #include "form_parts.h"
 #include "geometry/measures.h"
@@ -60,6 +61,7 @@ AcquirePage::AcquirePage(SessionController& controller, QWidget* parent)
   });
   connect(&controller, &SessionController::activityChanged, this, &AcquirePage::refresh);
   connect(&controller, &SessionController::stateChanged, this, &AcquirePage::refresh);
+  connect(&controller, &SessionController::stepChanged, this, [this] { status_->setText(status()); });
   connect(&controller, &SessionController::runEnded, this, &AcquirePage::finished);
   refresh();
 }
@@ -109,7 +111,9 @@ void AcquirePage::entered() {
 QString AcquirePage::status() const {
   switch (controller().activity()) {
     case Activity::Running:
-      return tr("Scanning, registering, merging and planning; the bar below shows the step.");
+      return stepText(controller().stepOfWork()).isEmpty()
+                 ? tr("Scanning, registering, merging and planning; the bar below shows the step.")
+                 : tr("Now: %1.").arg(stepText(controller().stepOfWork()));
     case Activity::Pausing:
       return tr("Stops after this scan.");
     case Activity::Stopping:
@@ -153,9 +157,14 @@ void AcquirePage::refresh() {
   again_->setVisible(failed);
   byHand_->setVisible(failed && controller().canTurnByHand());
   failure_->setVisible(!failure_->text().isEmpty());
-  for (QPushButton* button : {run_, step_, pause_}) button->setVisible(!assisted());
+  const bool asTheyCome = controller().takesAsTheyCome();
+  for (QPushButton* button : {run_, pause_}) button->setVisible(!assisted() || asTheyCome);
+  step_->setVisible(!assisted());
   scan_->setVisible(assisted());
-  run_->setText(complete() ? tr("&Go on") : tr("&Run"));
+  run_->setText(asTheyCome ? tr("Take scans as they &come") : complete() ? tr("&Go on") : tr("&Run"));
+  setHelp(*run_, asTheyCome ? tr("Turn the table as the dial says and scan with the scanner's own program: whatever it "
+                                 "writes is taken, and the next position is shown.")
+                            : tr("Scan until nothing is left to see."));
   allow(*run_, controller().permissions().whyNotRun());
   allow(*step_, controller().permissions().whyNotScan());
   allow(*scan_, controller().permissions().whyNotScan());

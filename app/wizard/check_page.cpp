@@ -6,6 +6,8 @@
 #include "form_parts.h"
 #include "report/wording.h"
 #include "why_card.h"
+#include "wizard/device_box.h"
+#include "wizard/test_scan_box.h"
 #include "wizard/volume_sketch.h"
 #include "wording.h"
 
@@ -13,38 +15,56 @@ namespace vantage {
 
 CheckPage::CheckPage(SessionController& controller, QWidget* parent)
     : WizardPage(controller, parent),
+      devicesTitle_(makeLabel(tr("Devices"), "section")),
+      devices_(new DeviceBox(controller)),
       verdict_(makeLabel({})),
       sketch_(new VolumeSketch),
       figures_(new FigureTable),
       fit_(makeButton(tr("&Fit the object into the volume"), QStringLiteral("fit"),
                       tr("Scale and centre the object so that it stands inside the viewing volume."))),
+      testScan_(new TestScanBox(controller)),
       turn_(makeButton(
           tr("Make a &test turn"), QStringLiteral("testTurn"),
           tr("Scan twice, a few positions apart, and compare the turn with the profile. Neither scan is kept."))),
       turnVerdict_(makeLabel({})),
       turnFigures_(new FigureTable) {
+  column().addWidget(devicesTitle_);
+  column().addWidget(devices_);
   addSection(tr("Viewing volume"));
   column().addWidget(verdict_);
   column().addWidget(sketch_);
   column().addWidget(figures_);
   column().addWidget(fit_);
-  addSection(tr("Turntable"));
+  addSection(tr("What a scan sees"));
+  column().addWidget(testScan_);
+  addSection(tr("Test turn"));
   column().addWidget(turn_);
   column().addWidget(turnVerdict_);
   column().addWidget(turnFigures_);
   column().addStretch();
   connect(fit_, &QPushButton::clicked, this, &CheckPage::fit);
-  connect(turn_, &QPushButton::clicked, &controller, &SessionController::startTestTurn);
+  connect(turn_, &QPushButton::clicked, &controller, &SessionController::testTurn);
   connect(&controller, &SessionController::setUpChanged, this, &CheckPage::refresh);
   connect(&controller, &SessionController::activityChanged, this, &CheckPage::refresh);
-  connect(&controller, &SessionController::testTurnChanged, this, &CheckPage::refreshTestTurn);
+  connect(&controller.testScans(), &TestScans::turnChanged, this, &CheckPage::refreshTestTurn);
+  connect(&controller, &SessionController::setUpChanged, this, &CheckPage::connectDevices);
   refresh();
   refreshTestTurn();
 }
 
 QString CheckPage::whatNext() const {
   if (!controller().setUp()) return tr("Scanner and object are being read.");
+  if (calibrates()) return tr("Where the table stands before the scanner can be measured, or is taken as it is known.");
   return tr("The acquisition page opens. Scanning begins when you say so.");
+}
+
+QString CheckPage::nextText() const {
+  return calibrates() ? tr("&Next: calibrate") : tr("&Next: acquire");
+}
+
+// See CalibratePage::applies.
+bool CheckPage::calibrates() const {
+  return !controller().hasSession() && controller().bench().hasTable();
 }
 
 bool CheckPage::complete() const {
@@ -53,7 +73,16 @@ bool CheckPage::complete() const {
 
 void CheckPage::entered() {
   controller().prepare();
+  connectDevices();
   emit changed();
+}
+
+// Whoever looks at this page wants to know how they are. What fails stands beside the button that tries again.
+void CheckPage::connectDevices() {
+  const DeviceBench& bench = controller().bench();
+  if (!isVisible() || controller().hasSession() || !bench.real() || bench.connected() || !bench.failure().isEmpty())
+    return;
+  controller().bench().connectDevices();
 }
 
 void CheckPage::fit() {
@@ -69,6 +98,9 @@ void CheckPage::refresh() {
   figures_->clear();
   const bool outside = setUp && setUp->object && !setUp->object->insideVolume;
   fit_->setVisible(outside && !controller().hasSession());
+  const bool real = controller().bench().real() && !controller().hasSession();
+  devicesTitle_->setVisible(real);
+  devices_->setVisible(real);
   allow(*turn_, controller().permissions().whyNotTestTurn());
   if (!setUp) {
     verdict_->setText(controller().activity() == Activity::Preparing ? tr("Reading…") : tr("Nothing is chosen yet."));
@@ -82,7 +114,7 @@ void CheckPage::refresh() {
     figures_->add(tr("Object, height"), figureText(setUp->object->height, 1) + tr(" mm"));
     figures_->add(tr("Object, lowest point"), figureText(setUp->object->lowest, 1) + tr(" mm"), tr("0 is the table"));
   }
-  verdict_->setProperty("role", outside ? "warning" : "");
+  setRole(*verdict_, outside ? "warning" : "");
   if (setUp && setUp->profile) {
     figures_->add(tr("Positions of the scanner"), QString::number(setUp->profile->workspace.size()));
     figures_->add(tr("Ranging rays per scan"), QString::number(setUp->profile->rays->size()));
@@ -92,7 +124,7 @@ void CheckPage::refresh() {
 
 void CheckPage::refreshTestTurn() {
   turnFigures_->clear();
-  const auto& result = controller().testTurnResult();
+  const auto& result = controller().testScans().turnResult();
   if (!result) {
     turnVerdict_->setText(tr("A test turn tells whether the table turns about its axis as the profile says."));
     return;

@@ -10,6 +10,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "base/errors.h"
 #include "form_parts.h"
 #include "io/mesh_reader.h"
 #include "settings/settings_form.h"
@@ -43,6 +44,15 @@ QString patternsOf(const std::vector<std::string>& extensions) {
   return patterns.join(QLatin1Char(' '));
 }
 
+// A folder of that name among the documents, or the first with a number that is not there yet.
+QString freeFolder(const QString& name) {
+  const QString base =
+      QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation) + QStringLiteral("/Vantage/") + name;
+  QString folder = base;
+  for (int i = 2; QFileInfo::exists(folder); ++i) folder = base + QLatin1Char('-') + QString::number(i);
+  return folder;
+}
+
 QToolButton* browseButton(const QString& what) {
   auto* button = new QToolButton;
   button->setObjectName(QStringLiteral("browse"));
@@ -67,6 +77,7 @@ ChoosePage::ChoosePage(SessionController& controller, const QString& resources, 
   });
   connect(scanner_, &QComboBox::currentIndexChanged, this, [this] { emit changed(); });
   connect(folder_, &QLineEdit::textChanged, this, [this] { emit changed(); });
+  connect(&controller, &SessionController::setUpChanged, this, &ChoosePage::takeCut);
   connect(&controller, &SessionController::sessionChanged, this, [this] {
     if (!this->controller().hasSession()) {
       if (object_->currentIndex() < 0) select(*object_, resources_ + QStringLiteral("/objects/") + kPreferredObject);
@@ -106,10 +117,12 @@ void ChoosePage::build() {
                 "muted"));
   devices_ = new DeviceEditor;
   connect(devices_, &DeviceEditor::edited, this, [this] {
+    suggestCut();
     showObject();
     suggestFolder();
     emit changed();
   });
+  connect(devices_, &DeviceEditor::rigRead, this, &ChoosePage::takeRig);
   column().addWidget(devices_);
   scanner_ = addFileRow(column(), tr("Scanner profile"), QStringLiteral("scanner"),
                         tr("Profile of the scanner and its turntable."), tr("Scanner profiles (*.json)"));
@@ -143,6 +156,30 @@ void ChoosePage::build() {
   auto* open = makeButton(tr("&Open a session…"), QStringLiteral("open"), tr("Go on with a session from a file."));
   connect(open, &QPushButton::clicked, this, &ChoosePage::openRequested);
   column().addWidget(open);
+  auto* import = makeButton(tr("&Import recorded scans…"), QStringLiteral("import"),
+                            tr("Make a session of range files that were recorded before; they can also be dropped on "
+                               "the window."));
+  connect(import, &QPushButton::clicked, this, &ChoosePage::importRequested);
+  column().addWidget(import);
+}
+
+ImportChoice ChoosePage::importChoice() const {
+  ImportChoice import;
+  import.scanner = scanner_->currentData().toString().toStdString();
+  import.settings = form_->settings();
+  import.folder = freeFolder(QStringLiteral("import")).toStdString();
+  return import;
+}
+
+// The profile and the cut that a rig file names besides its devices.
+void ChoosePage::takeRig(const RigFile& file) {
+  if (!file.rig.scanner.empty()) select(*scanner_, QString::fromStdString(file.rig.scanner));
+  if (devices_->simulated()) return;
+  try {
+    form_->setSettings(withCut(form_->settings(), file));
+  } catch (const InvalidInput& e) {
+    form_->complain(QString::fromUtf8(e.what()));
+  }
 }
 
 void ChoosePage::fill(QComboBox& box, const QString& folder, const QString& pattern, const QString& preferred) {
@@ -156,14 +193,28 @@ void ChoosePage::showObject() {
   objectRow_->setVisible(devices_->simulated());
 }
 
+// Real scanners see more than their object: what suits them is cut, until something else is said.
+void ChoosePage::suggestCut() {
+  if (form_ == nullptr || controller().hasSession() || cutIsForReal_ == !devices_->simulated()) return;
+  cutIsForReal_ = !devices_->simulated();
+  AcquisitionSettings settings = form_->settings();
+  settings.cut = cutIsForReal_ ? cutForRealScanners() : CutOptions();
+  form_->setSettings(settings);
+}
+
+// What was tried out on a test scan is what holds.
+void ChoosePage::takeCut() {
+  const CutOptions& cut = controller().choice().settings.cut;
+  if (controller().hasSession() || !controller().setUp() || form_->settings().cut == cut) return;
+  AcquisitionSettings settings = form_->settings();
+  settings.cut = cut;
+  form_->setSettings(settings);
+}
+
 void ChoosePage::suggestFolder() {
   const QString name =
       devices_->simulated() ? QFileInfo(object_->currentData().toString()).completeBaseName() : QStringLiteral("scan");
-  const QString base =
-      QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation) + QStringLiteral("/Vantage/") + name;
-  QString folder = base;
-  for (int i = 2; QFileInfo::exists(folder); ++i) folder = base + QLatin1Char('-') + QString::number(i);
-  folder_->setText(QDir::toNativeSeparators(folder));
+  folder_->setText(QDir::toNativeSeparators(freeFolder(name)));
 }
 
 SetUpChoice ChoosePage::choice() const {
@@ -172,10 +223,7 @@ SetUpChoice ChoosePage::choice() const {
   choice.folder = folder_->text().toStdString();
   choice.rig = devices_->rig();
   choice.settings = form_->settings();
-  if (devices_->simulated())
-    choice.settings.simulation.object = object_->currentData().toString().toStdString();
-  else
-    choice.settings.cut = withCut({}, {choice.rig, {}}).cut;
+  if (devices_->simulated()) choice.settings.simulation.object = object_->currentData().toString().toStdString();
   return choice;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "session_import.h"
 #include "wizard/wizard_page.h"
 
 class QComboBox;
@@ -10,6 +11,7 @@ class QVBoxLayout;
 namespace vantage {
 
 class DeviceEditor;
+struct RigFile;
 class SettingsForm;
 
 /// Which scanner, which object, where to.
@@ -29,8 +31,12 @@ class ChoosePage final : public WizardPage {
   void entered() override;
   void leaving() override;
 
+  /// What of the page holds for recorded scans, too.
+  [[nodiscard]] ImportChoice importChoice() const;
+
  signals:
-  void openRequested();  ///< the operator wants to open a session
+  void openRequested();    ///< the operator wants to open a session
+  void importRequested();  ///< or to import recorded scans
 
  private:
   void build();
@@ -38,6 +44,9 @@ class ChoosePage final : public WizardPage {
   QComboBox* addFileRow(QVBoxLayout& column, const QString& label, const QString& name, const QString& help,
                         const QString& filter);
   void suggestFolder();
+  void takeRig(const RigFile& file);
+  void suggestCut();
+  void takeCut();
   void showObject();
   void showScanner();
   void allowChoice();
@@ -50,7 +59,8 @@ class ChoosePage final : public WizardPage {
   QWidget* objectRow_ = nullptr;  ///< with its title; real scanners see what stands before them
   QLineEdit* folder_ = nullptr;
   SettingsForm* form_ = nullptr;
-  QString chosenScanner_;  // before a session was opened
+  bool cutIsForReal_ = false;  ///< what is cut was suggested for a real scanner
+  QString chosenScanner_;      // before a session was opened
 };
 
 }  // namespace vantage

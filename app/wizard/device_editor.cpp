@@ -74,7 +74,8 @@ DeviceEditor::DeviceEditor(QWidget* parent)
                     tr("The serial port that the turntable is connected to; any path can be typed."))),
       protocol_(makeBox(QStringLiteral("protocol"), tr("Language of the turntable"),
                         tr("What the controller of the turntable speaks; it is asked when none is chosen."))),
-      hint_(makeLabel({}, "muted")) {
+      hint_(makeLabel({}, "muted")),
+      complaint_(makeLabel({}, "warning")) {
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->addWidget(makeLabel(tr("What scans"), "section"));
@@ -93,6 +94,17 @@ DeviceEditor::DeviceEditor(QWidget* parent)
       addPathRow(*column, QStringLiteral("calibration"), tr("No calibration: the table is where the profile says"),
                  tr("Where the table's axis is, which way and how far it turns, as measured."));
   column->addWidget(hint_);
+  auto* load = makeButton(tr("&Load a rig…"), QStringLiteral("loadRig"),
+                          tr("Take scanner, turntable, profile and calibration from a file. Programs as devices are "
+                             "described that way."));
+  connect(load, &QPushButton::clicked, this, [this] {
+    const QString path = QFileDialog::getOpenFileName(this, tr("Load a rig"), {}, tr("Rigs (*.json)"));
+    if (!path.isEmpty()) loadRig(path);
+  });
+  load_ = load;
+  column->addWidget(load);
+  column->addWidget(complaint_);
+  complaint_->hide();
   sensor_->addItem(tr("Simulated scanner"), static_cast<int>(SensorKind::Simulated));
   sensor_->addItem(tr("Files in a folder"), static_cast<int>(SensorKind::Folder));
   sensor_->addItem(tr("Depth camera (OpenNI2)"), static_cast<int>(SensorKind::Camera));
@@ -143,6 +155,18 @@ void DeviceEditor::browse(const PathRow& row, const QString& title, bool folder,
   const QString path = folder ? QFileDialog::getExistingDirectory(this, title, row.edit->text())
                               : QFileDialog::getOpenFileName(this, title, row.edit->text(), filter);
   if (!path.isEmpty()) row.edit->setText(path);
+}
+
+void DeviceEditor::loadRig(const QString& path) {
+  try {
+    const RigFile file = readRigFile(path.toStdString());
+    setRig(file.rig);
+    complaint_->hide();
+    emit rigRead(file);
+  } catch (const Error& e) {
+    complaint_->setText(QString::fromUtf8(e.what()));
+    complaint_->show();
+  }
 }
 
 // What is connected now, with what it says of itself.
@@ -251,8 +275,8 @@ void DeviceEditor::setRig(const RigDescription& rig) {
 }
 
 std::vector<QWidget*> DeviceEditor::editors() const {
-  return {sensor_,   sensorPath_.edit,  sensorPath_.browse, camera_, table_, port_,
-          protocol_, calibration_.edit, calibration_.browse};
+  return {sensor_,   sensorPath_.edit,  sensorPath_.browse,  camera_, table_, port_,
+          protocol_, calibration_.edit, calibration_.browse, load_};
 }
 
 void DeviceEditor::refresh() {

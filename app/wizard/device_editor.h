@@ -32,6 +32,7 @@ class DeviceEditor final : public QWidget {
 
  signals:
   void edited();
+  void rigRead(const RigFile& file);  ///< what a file says of a rig is shown; its profile and cut are for others
 
  private:
   struct PathRow {
@@ -41,6 +42,7 @@ class DeviceEditor final : public QWidget {
 
   PathRow addPathRow(QVBoxLayout& column, const QString& name, const QString& placeholder, const QString& help);
   void browse(const PathRow& row, const QString& title, bool folder, const QString& filter);
+  void loadRig(const QString& path);
   void listPorts();
   void sensorChosen();
   void refresh();
@@ -53,6 +55,8 @@ class DeviceEditor final : public QWidget {
   QComboBox* protocol_;
   PathRow calibration_;
   QLabel* hint_;
+  QLabel* complaint_;
+  QWidget* load_ = nullptr;
   RigDescription given_;  ///< programs are described in a file, and kept as they came
 };
 

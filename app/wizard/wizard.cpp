@@ -5,6 +5,7 @@
 #include <QScrollArea>
 #include <QStackedWidget>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "form_parts.h"
 
@@ -25,6 +26,7 @@ Wizard::Wizard(SessionController& controller, const QString& resources, QWidget*
   build();
   addPage(choose_);
   addPage(new CheckPage(controller));
+  addPage(new CalibratePage(controller));
   addPage(acquire_);
   addPage(new ReviewPage(controller));
   addPage(finish_);
@@ -70,7 +72,8 @@ void Wizard::addPage(WizardPage* page) {
   pages_.push_back(page);
   connect(page, &WizardPage::changed, this, &Wizard::refresh);
   connect(page, &WizardPage::finished, this, [this, page] {
-    if (pages_[static_cast<std::size_t>(index_)] == page) goTo(index_ + 1);
+    if (pages_[static_cast<std::size_t>(index_)] == page)
+      if (const auto next = pageFrom(index_, 1)) goTo(*next);
   });
 }
 
@@ -91,11 +94,17 @@ void Wizard::goTo(const QString& key) {
 void Wizard::goOn() {
   if (!page().complete()) return;
   pages_[static_cast<std::size_t>(index_)]->leaving();
-  goTo((index_ + 1) % pageCount());
+  goTo(pageFrom(index_, 1).value_or(0));
 }
 
 void Wizard::goBack() {
-  goTo(index_ - 1);
+  if (const auto before = pageFrom(index_, -1)) goTo(*before);
+}
+
+std::optional<int> Wizard::pageFrom(int index, int step) const {
+  for (int i = index + step; i >= 0 && i < pageCount(); i += step)
+    if (pages_[static_cast<std::size_t>(i)]->applies()) return i;
+  return std::nullopt;
 }
 
 // A session that was opened shows the page it was left at; one that was just begun stays where it is.
@@ -111,7 +120,11 @@ void Wizard::reopen() {
 }
 
 void Wizard::refresh() {
-  where_->setText(tr("Step %1 of %2").arg(index_ + 1).arg(pageCount()));
+  const auto applying = [](const WizardPage* page) { return page->applies(); };
+  const auto here = pages_.begin() + index_;
+  const auto before = std::count_if(pages_.begin(), here, applying);
+  const auto after = std::count_if(here + 1, pages_.end(), applying);
+  where_->setText(tr("Step %1 of %2").arg(before + 1).arg(before + 1 + after));
   title_->setText(page().title());
   whatNext_->setText(page().whatNext());
   allow(*back_, index_ > 0 ? QString() : tr("This is the first page."));

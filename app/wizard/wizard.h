@@ -1,9 +1,11 @@
 #pragma once
 
 #include <QWidget>
+#include <optional>
 #include <vector>
 
 #include "wizard/acquire_page.h"
+#include "wizard/calibrate_page.h"
 #include "wizard/check_page.h"
 #include "wizard/choose_page.h"
 #include "wizard/finish_page.h"
@@ -39,6 +41,8 @@ class Wizard final : public QWidget {
  private:
   void build();
   void addPage(WizardPage* page);
+  /// The next page that applies from there in steps of one; nothing when there is none.
+  [[nodiscard]] std::optional<int> pageFrom(int index, int step) const;
   void refresh();
   void reopen();
 

@@ -22,6 +22,8 @@ class WizardPage : public QWidget {
   [[nodiscard]] virtual bool complete() const = 0;     ///< one may go on
   /// Why one may not go on, for when one may not.
   [[nodiscard]] virtual QString whyNotNext() const;
+  /// Whether the set-up has anything to do on this page; if not, the way through the wizard leads past it.
+  [[nodiscard]] virtual bool applies() const { return true; }
   virtual void entered() {}  ///< the page has come up
   virtual void leaving() {}  ///< one goes on from here
 

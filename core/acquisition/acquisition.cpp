@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "acquisition/refusal_error.h"
+#include "acquisition/table_place.h"
 
 namespace vantage {
 namespace {
@@ -105,6 +106,8 @@ void Acquisition::scanNext(const Progress& progress) {
   const NumberedScan scan = takeScan(from.position, timer.watch(progress).part(0.1, 0.2, name(Phase::Scan)));
   const CommandInput input{[&](std::int64_t /*number*/) { return scan.image; }, tools_.images.get(), timer.finish()};
   carryOut(AddScan{scan.number, from.predicted}, input, progress.part(0.2, 1.0));
+  // The next position is gone to from where the table really stands.
+  if (const auto slip = slipOfLastScan(*state())) tools_.rig->positioner->standsFarther(*slip);
 }
 
 Termination Acquisition::runUntilTheEnd(const Progress& progress, const std::function<bool()>& pause) {
@@ -121,14 +124,6 @@ Termination Acquisition::runUntilTheEnd(const Progress& progress, const std::fun
     }
   }
   return state()->termination;
-}
-
-std::optional<int> tablePosition(const Journal& journal) {
-  const auto state = journal.state();
-  if (!state->profile || state->profile->workspace.size() == 0) return std::nullopt;
-  const auto last = journal.lastStation();
-  if (last && last->stand == state->stand() && last->position) return last->position;
-  return 0;
 }
 
 }  // namespace vantage

@@ -76,8 +76,4 @@ class Acquisition {
   StepObserver observer_;
 };
 
-/// Where the table stands: the position of the scan that was taken last in the stand of now, whatever became of it; the
-/// first position of the workspace before that. Nothing when scans have no positions.
-[[nodiscard]] std::optional<int> tablePosition(const Journal& journal);
-
 }  // namespace vantage

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "acquisition/command_tools.h"
+#include "acquisition/hand_placing.h"
 #include "acquisition/import_scans.h"
 #include "acquisition/step_options.h"
 #include "acquisition/steps.h"
@@ -23,6 +24,12 @@ void checkPosition(const AcquisitionState& state, const RangeImage& image) {
                        ", the workspace has positions 0 to " + std::to_string(positions - 1));
 }
 
+// Whether a person took over from a table, or a table from a person: a plan counts on who made the last move.
+bool changedHands(const AcquisitionState& before, const AcquisitionState& after) {
+  if (!before.plan || before.scans.empty()) return false;
+  return turnedByGuess(*before.scans.back().view.image) != turnedByGuess(*after.scans.back().view.image);
+}
+
 }  // namespace
 
 Answer AddScan::mayDo(const AcquisitionState& state) const {
@@ -38,7 +45,8 @@ AcquisitionState AddScan::carriedOut(const AcquisitionState& state, const Comman
   AcquisitionState next = addScan(state, {scan, image}, predicted, stepOptionsFor(state), watched.part(0.0, 0.5));
   next.chosenPosition.reset();
   next.termination = Termination::Running;
-  if (next.scans.back().status != ScanStatus::In) return CommandTools::judged(std::move(next));
+  if (next.scans.back().status != ScanStatus::In)
+    return changedHands(state, next) ? tools.replanned(std::move(next)) : CommandTools::judged(std::move(next));
   next = tools.planned(std::move(next), watched.part(0.5, 1.0));
   ScanRecord& record = next.scans.back().record;
   record.planAfter = next.plan;

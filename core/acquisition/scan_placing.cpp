@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "acquisition/hand_placing.h"
 #include "acquisition/steps.h"
 #include "registration/position_search.h"
 #include "registration/registration_target.h"
@@ -14,10 +15,6 @@ namespace {
 
 // After so many moves nothing is known of where the table is.
 constexpr std::int64_t kMostMoves = 10'000;
-// A registration finds its way from so far [rad].
-constexpr double kReach = radians(3.0);
-// Hands are not trusted beyond so many sigmas.
-constexpr double kFarthest = 2.5;
 
 RegistrationResult firstRegistration(const Pose& T_object_scanner) {
   RegistrationResult result;
@@ -28,49 +25,14 @@ RegistrationResult firstRegistration(const Pose& T_object_scanner) {
   return result;
 }
 
-// Whether a registration would not reach as far as the pose may be off.
-bool isFarOff(const RangeImage& image) {
-  return image.poseUncertainty && image.poseUncertainty->angleSigma > kReach;
-}
-
-// Where a scan would be if its table had turned by so much less or more than is said.
-std::vector<Pose> turnedPoses(const AcquisitionState& state, const RangeImage& image, double upTo) {
-  std::vector<Pose> poses;
-  RangeImage turned = image;
-  const int steps = static_cast<int>(std::ceil(upTo / kReach));
-  for (int i = -steps; i <= steps; ++i) {
-    turned.T_table_scanner = Eigen::AngleAxisd(kReach * i, Vec3::UnitZ()) * image.T_table_scanner;
-    poses.push_back(expectedPose(state, turned));
-  }
-  return poses;
-}
-
-// The registration of a scan whose table a person turned, about as far as they were asked: first coarse, then fine.
-RegistrationResult registerOnTurn(const AcquisitionState& state, const KeptScan& scan, const RegistrationTarget& target,
-                                  const IcpOptions& options, const Progress& progress) {
-  const View& view = scan.view;
-  const ViewSurface surface(*view.mesh, *view.image->rays);
-  IcpOptions free = options;
-  free.prior.reset();
-  const auto poses = turnedPoses(state, *view.image, kFarthest * view.image->poseUncertainty->angleSigma);
-  const auto fits = poseThatFits(surface, poses, target, free, progress);
-  if (!fits) return registerView(surface, view.T_object_scanner, target, options, progress);
-  RegistrationResult found = fits->registration;
-  if (fits->rivalDistance > 0.0 && found.verdict == Verdict::Good) {
-    found.verdict = Verdict::Doubtful;
-    found.finding = {VerdictReason::Rival, fits->rivalDistance, {}};
-  }
-  return found;
-}
-
 RegistrationResult registerWithModel(const AcquisitionState& state, const KeptScan& scan, const StepOptions& options,
                                      const Progress& progress) {
   const View& view = scan.view;
   if (!state.model) return firstRegistration(view.T_object_scanner);
+  if (turnedByGuess(*view.image)) return registerOnTurn(state, scan, options, progress);
   const RegistrationTarget target(state.model->mesh, state.model->confidence);
   IcpOptions registration = options.registration;
   if (const KeptScan* last = lastView(state, scan.station().stand)) registration.prior = priorOf(options, *last, scan);
-  if (isFarOff(*view.image)) return registerOnTurn(state, scan, target, registration, progress);
   return registerView(*view.mesh, *view.image->rays, view.T_object_scanner, target, registration, progress);
 }
 
@@ -149,14 +111,15 @@ void explainFailure(const AcquisitionState& state, KeptScan& scan, const StepOpt
 }
 
 // A scan that fits the model may still contradict what the views have looked through, or show emptiness where they saw
-// surface. @return all views and the scan, prepared; none where the scan is the first
+// surface. @return all views that the scan was held against and the scan, prepared; none where it is alone
 std::vector<PreparedView> checkAgainstOthers(const AcquisitionState& state, KeptScan& scan, const StepOptions& options,
                                              const Progress& progress) {
-  std::vector<View> views = viewsOf(state);
+  const bool isDoubtful = scan.record.registration.verdict == Verdict::Doubtful;
+  // What is good fears no views of which nobody knows where they are.
+  std::vector<View> views = isDoubtful ? viewsOf(state) : firmViews(state);
   views.push_back(scan.view);
   views.back().T_object_scanner = scan.record.registration.T_object_scanner;
   if (views.size() < 2) return {};
-  const bool isDoubtful = scan.record.registration.verdict == Verdict::Doubtful;
   std::vector<PreparedView> prepared = prepareViews(views, progress.part(0.0, 0.7));
   const auto contradiction =
       contradictionOfLast(views, prepared, isDoubtful, options.registration, progress.part(0.7, 1.0));

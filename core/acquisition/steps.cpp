@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "acquisition/hand_placing.h"
 #include "acquisition/scan_placing.h"
 #include "base/errors.h"
 #include "geometry/measures.h"
@@ -36,7 +37,7 @@ bool waitsForMore(const RegistrationResult& registration) {
 // The pose of a doubtful view that all others together hold as firmly as a good one is certain.
 void liftDoubt(KeptScan& scan, double poseSigma, const StepOptions& options) {
   RegistrationResult& registration = scan.record.registration;
-  if (!waitsForMore(registration)) return;
+  if (!waitsForMore(registration) || isLoose(scan)) return;
   const ViewSurface surface(*scan.view.mesh, *scan.view.image->rays);
   if (poseSigma > *resolved(options.registration, scaleOf(surface)).limits.maxPoseSigma) return;
   registration.verdict = Verdict::Good;
@@ -80,6 +81,40 @@ void checkStation(const AcquisitionState& state, const KeptScan& scan) {
                      "in the right unit?");
 }
 
+// Looks again, with the view that came last, for the place of the scans that a person turned and that found none.
+// @return whether one did
+bool placeRejected(AcquisitionState& state, const StepOptions& options, const Progress& progress) {
+  bool placed = false;
+  for (KeptScan& scan : state.scans) {
+    if (scan.status != ScanStatus::Rejected || !turnedByGuess(*scan.view.image)) continue;
+    KeptScan again = scan;
+    again.view.mesh = std::make_shared<const ViewMesh>(triangulate(*scan.view.image, options.triangulation, progress));
+    if (again.view.mesh->mesh.empty() || !findPlace(state, again, options, progress).found || isLoose(again)) continue;
+    scan = std::move(again);
+    placed = true;
+  }
+  return placed;
+}
+
+// After views found another place.
+AcquisitionState withNewModel(AcquisitionState state, const StepOptions& options, const Progress& progress) {
+  const double before = area(state.model->mesh);
+  refine(state, {}, options, progress.part(0.0, 0.2));
+  state.model = integrateViews(viewsOf(state), options, progress.part(0.2, 1.0));
+  ScanRecord& record = state.scans.back().record;
+  record.newArea = std::max(0.0, area(state.model->mesh) - before);
+  record.overlapArea = std::max(0.0, area(state.scans.back().view.mesh->mesh) - record.newArea);
+  return state;
+}
+
+// With what a view that came last tells of scans that a person turned before.
+AcquisitionState withScansPlaced(AcquisitionState state, const StepOptions& options, const Progress& progress) {
+  const KeptScan& last = state.scans.back();
+  if (isLoose(last) || !turnedByGuess(*last.view.image)) return state;
+  if (!placeRejected(state, options, progress.part(0.0, 0.5))) return state;
+  return withNewModel(std::move(state), options, progress.part(0.5, 1.0));
+}
+
 }  // namespace
 
 AcquisitionState addScan(const AcquisitionState& state, const NumberedScan& scan,
@@ -101,7 +136,10 @@ AcquisitionState addScan(const AcquisitionState& state, const NumberedScan& scan
   added.record.predicted = std::move(predicted);
   next.scans.push_back(std::move(added));
   if (!place.found) return next;
-  refine(next, std::move(place.prepared), options, registering.part(0.7, 1.0));
+  refine(next, std::move(place.prepared), options, registering.part(0.7, 0.9));
+  if (!isLoose(next.scans.back()) && settleLooseViews(next, options, registering.part(0.9, 1.0)))
+    return withScansPlaced(withNewModel(std::move(next), options, progress.part(0.5, 0.9)), options,
+                           progress.part(0.9, 1.0));
 
   const Progress integrating = progress.part(0.5, 1.0, name(Phase::Integrate));
   const std::vector<View> views = viewsOf(next);
@@ -109,12 +147,12 @@ AcquisitionState addScan(const AcquisitionState& state, const NumberedScan& scan
   const Integration integration = integrateView(before, views, static_cast<std::uint32_t>(views.size() - 1),
                                                 options.zipper, integrating.part(0.0, 0.6));
   next.model = std::make_shared<const Model>(
-      applyConsensus(integration.model, views, options.consensus, integrating.part(0.6, 1.0)));
+      applyConsensus(integration.model, views, options.consensus, integrating.part(0.6, 0.9)));
   if (!state.model && next.model->mesh.triangles.empty()) refuseEmpty(next.scans.back());
   ScanRecord& record = next.scans.back().record;
   record.newArea = std::max(0.0, area(integration.model.mesh) - area(before.mesh));
   record.overlapArea = std::max(0.0, area(views.back().mesh->mesh) - record.newArea);
-  return next;
+  return withScansPlaced(std::move(next), options, integrating.part(0.9, 1.0));
 }
 
 std::shared_ptr<const Model> integrateViews(const std::vector<View>& views, const StepOptions& options,
@@ -178,6 +216,8 @@ PlanInput planInputOf(const AcquisitionState& state) {
     if (scan->station().stand == state.stand() && scan->station().position)
       input.taken.push_back(*scan->station().position);
   if (const KeptScan* last = lastView(state, state.stand())) input.current = last->station().position;
+  // Whoever made the last move makes the next one.
+  if (!state.scans.empty()) input.mechanics = state.scans.back().view.image->poseUncertainty;
   return input;
 }
 

@@ -34,14 +34,14 @@ std::string_view name(CalibrationReason reason) {
       return "residual_large";
     case CalibrationReason::PlaneLeans:
       return "plane_leans";
+    case CalibrationReason::TableNotSeen:
+      return "table_not_seen";
     case CalibrationReason::TurnsOtherWay:
       return "turns_other_way";
     case CalibrationReason::OtherRatio:
-      return "other_ratio";
-    case CalibrationReason::TableNotSeen:
       break;
   }
-  return "table_not_seen";
+  return "other_ratio";
 }
 
 std::string describe(const CalibrationFinding& finding) {
@@ -81,13 +81,18 @@ std::string describe(const CalibrationFinding& finding) {
              " degrees against the axis: the table wobbles, or what was taken for its top is not";
     case CalibrationReason::TurnsOtherWay:
       return "the table counts upwards as it turns clockwise: its angles are reversed from here on";
-    case CalibrationReason::OtherRatio:
-      return "the table turns " + decimals(value, 4) +
-             " degrees for every degree that it counts: its angles are corrected from here on";
     case CalibrationReason::TableNotSeen:
+      return "no scan shows the table top: its height is guessed from the profile and the lowest sample, and may be "
+             "off "
+             "by " +
+             decimals(value, 1) +
+             " mm (the axis is not touched by that): let the scanner look down on the table, or put a flat thing on it "
+             "that reaches above its lowest rays, and calibrate again; else cut no closer to the table than that";
+    case CalibrationReason::OtherRatio:
       break;
   }
-  return "no scan shows the table top: its height is taken from the profile, or from the lowest sample of the object";
+  return "the table turns " + decimals(value, 4) +
+         " degrees for every degree that it counts: its angles are corrected from here on";
 }
 
 CalibrationVerdict worthOf(const CalibrationFinding& finding) {
@@ -102,10 +107,10 @@ CalibrationVerdict worthOf(const CalibrationFinding& finding) {
     case CalibrationReason::Unsure:
     case CalibrationReason::ResidualLarge:
     case CalibrationReason::PlaneLeans:
+    case CalibrationReason::TableNotSeen:
       return CalibrationVerdict::Doubtful;
     case CalibrationReason::TurnsOtherWay:
     case CalibrationReason::OtherRatio:
-    case CalibrationReason::TableNotSeen:
       break;
   }
   return CalibrationVerdict::Good;

@@ -23,12 +23,12 @@ enum class CalibrationReason : std::uint8_t {
   Unsure,         ///< the axis is unsure [mm]
   ResidualLarge,  ///< scans do not fit a pure turn as noise and spacing explain [multiples of that]
   PlaneLeans,     ///< the table top leans against the axis: it wobbles, or is no table top [deg]
+  TableNotSeen,   ///< no scan shows the table top: its height is a guess [mm that it may be off by]
   // These an operator should know.
   TurnsOtherWay,  ///< the table counts upwards as it turns clockwise
   OtherRatio,     ///< a degree that it counts is not a degree that it turns [turned / counted]
-  TableNotSeen,   ///< no scan shows the table top: its height is the profile's, or that of the lowest sample
 };
-inline constexpr CalibrationReason kLastCalibrationReason = CalibrationReason::TableNotSeen;
+inline constexpr CalibrationReason kLastCalibrationReason = CalibrationReason::OtherRatio;
 
 /// "nothing_turns", "too_small_turn", ...
 [[nodiscard]] std::string_view name(CalibrationReason reason);

@@ -50,7 +50,7 @@ std::vector<CalibrationScan> takeCalibrationScans(RangeSensor& sensor, Turntable
     };
     sensor.announceMove();
     const TableAngle reached = table.turnTo(begin + angles[k], part(0.0, 0.5));
-    sensor.standAt({static_cast<int>(k), Pose::Identity(), reached.knownBy, {}});
+    sensor.standAt({static_cast<int>(k), Pose::Identity(), reached.knownBy, {}, reached.turnedUntil});
     RangeImage image = sensor.capture(part(0.5, 1.0));
     validate(image);
     scans.push_back({std::make_shared<const RangeImage>(std::move(image)), reached.degrees});

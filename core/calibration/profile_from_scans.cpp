@@ -11,15 +11,13 @@
 #include "calibration/pinhole_fit.h"
 #include "calibration/ray_field_fit.h"
 #include "calibration/sample_motion.h"
-#include "scanner/triangulation.h"
 
 namespace vantage {
 namespace {
 
 constexpr std::size_t kSamples = 6000;
 constexpr double kStandoff = 100.0;  // [mm]
-constexpr double kSteepest = radians(85.0);
-constexpr double kEnd = 0.985;  // of the samples lean less than where samples end
+constexpr double kUsualEnd = radians(60.0);
 constexpr double kRangeMargin = 0.1;
 
 void require(std::span<const RangeImage> scans) {
@@ -125,19 +123,6 @@ std::optional<double> noiseOfRepeats(const std::vector<RangeImage>& scans, doubl
   return least;
 }
 
-double endOfSamples(const std::vector<RangeImage>& scans, const Progress& progress) {
-  TriangulationOptions options;
-  options.breakdownAngle = kSteepest;
-  std::vector<double> angles;
-  for (std::size_t k = 0; k < scans.size(); ++k) {
-    progress.checkpoint(static_cast<double>(k) / static_cast<double>(scans.size()));
-    const ViewMesh view = triangulate(scans[k], options);
-    for (const float cosine : view.confidence) angles.push_back(std::acos(std::min(1.0, static_cast<double>(cosine))));
-  }
-  if (angles.empty()) return radians(60.0);
-  return radians(std::clamp(std::round(degrees(quantile(angles, kEnd))), 30.0, 85.0));
-}
-
 std::string rayTable(const RayGrid& rays) {
   std::string text;
   char line[256];
@@ -222,7 +207,9 @@ ProfileFit profileFromScans(std::span<const RangeImage> scans, const ProfileFitO
   const auto repeated = noiseOfRepeats(images, fit.noise);
   fit.noiseFromRepeats = repeated.has_value();
   fit.noise = repeated.value_or(fit.noise);
-  fit.breakdownAngle = endOfSamples(images, progress.part(0.5, 1.0));
+  const std::vector<double> angles = incidenceAngles(images, progress.part(0.5, 1.0));
+  fit.end = angles.empty() ? SampleEnd{kUsualEnd, 0.0, radians(90.0)} : sampleEnd(angles);
+  fit.breakdownAngle = radians(std::clamp(std::round(degrees(fit.end.angle)), 30.0, 85.0));
 
   nlohmann::ordered_json json{{"name", options.name}, {"scanner", scannerJson(rays, fit, options)}};
   json["workspace"] = {{"type", "turntable"}, {"steps", options.steps}};

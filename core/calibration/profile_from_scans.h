@@ -5,6 +5,7 @@
 #include <string>
 
 #include "base/progress.h"
+#include "calibration/sample_end.h"
 #include "scanner/profile.h"
 #include "scanner/range_image.h"
 
@@ -25,7 +26,8 @@ struct ProfileFit {
   double residual = 0.0;          ///< root mean square distance of samples from their rays [mm]
   double noise = 0.0;             ///< of the samples along their rays, one sigma [mm]
   bool noiseFromRepeats = false;  ///< from scans of the same; else from how samples scatter on even patches
-  double breakdownAngle = 0.0;    ///< where samples end [rad]
+  double breakdownAngle = 0.0;    ///< where samples end, to a degree [rad]
+  SampleEnd end;                  ///< the same with what it lies between
   double nearest = 0.0;           ///< of the samples [mm]
   double farthest = 0.0;          ///< [mm]
 };

@@ -27,6 +27,7 @@ constexpr double kGoodMisfit = 0.25;
 // Where angles count, by what they do at that distance from the axis [mm].
 constexpr double kDistance = 50.0;
 constexpr double kResidualLarge = 3.0;
+constexpr double kUnderside = 0.1;  // of the extent of what a view shows
 // Covariances of surfaces take samples for independent, which they are not.
 constexpr double kSigmaFactor = 2.0;
 
@@ -185,7 +186,7 @@ class Calibrator {
   void judgeResiduals(const ScrewFit& fit, const RegistrationScale& scale);
   [[nodiscard]] Vec3 upSide(const ScrewMotion& motion, std::span<const std::vector<SampleMotion>> motions) const;
   void placeTable(const ScrewMotion& motion, const TurningViews& views,
-                  std::span<const std::vector<SampleMotion>> motions);
+                  std::span<const std::vector<SampleMotion>> motions, const RegistrationScale& scale);
 
   std::vector<CalibrationScan> scans_;  // those that are used
   std::vector<std::size_t> place_;      // of each, among all
@@ -228,7 +229,7 @@ void Calibrator::solve(const Progress& progress) {
   judgeScans(fit, kFineGates * fineGate(scale));
   judgeTurns(fit);
   judgeResiduals(fit, scale);
-  placeTable(motion, whole, motions);
+  placeTable(motion, whole, motions, scale);
 }
 
 // The side of the table that the object is on, where the table top was not seen in the profile's frame: as samples of
@@ -335,12 +336,13 @@ void Calibrator::judgeResiduals(const ScrewFit& fit, const RegistrationScale& sc
 }
 
 void Calibrator::placeTable(const ScrewMotion& motion, const TurningViews& views,
-                            std::span<const std::vector<SampleMotion>> motions) {
+                            std::span<const std::vector<SampleMotion>> motions, const RegistrationScale& scale) {
   TableCalibration& calibration = result_.calibration;
   calibration.axisPoint = motion.point;
   calibration.axisDirection = motion.direction;
   const TablePlaneSearch near{motion.direction, kPlaneLean, motion.point, 1.2 * profile_.viewingVolume.radius};
   if (const auto plane = findTablePlane(scans_, motions, near)) {
+    result_.planeSeen = true;
     calibration.planeNormal = plane->normal;
     calibration.planeOffset = plane->offset;
     result_.planeSigma = plane->rms / std::sqrt(static_cast<double>(plane->count)) *
@@ -349,11 +351,18 @@ void Calibrator::placeTable(const ScrewMotion& motion, const TurningViews& views
     if (lean > options_.planeLean) find(CalibrationReason::PlaneLeans, degrees(lean));
     return;
   }
-  find(CalibrationReason::TableNotSeen);
-  // The profile's table plane is z = 0; nothing of the object is below the table.
-  double height = lowestPoint(views, motion);
-  if (motion.direction.z() > std::cos(kRoughAxisLean))
-    height = std::min(height, -motion.point.z() / motion.direction.z());
+  // The profile's table plane is z = 0; nothing of the object is below the table. How far up level rays end on an
+  // underside that is rounded nobody knows: a tenth of the object is usual.
+  const double lowest = lowestPoint(views, motion);
+  double height = lowest;
+  double off = std::max(scale.spacing, kUnderside * scale.extent);
+  if (motion.direction.z() > std::cos(kRoughAxisLean)) {
+    const double said = -motion.point.z() / motion.direction.z();
+    height = std::min(lowest, said);
+    off = std::max(off, 0.5 * std::abs(lowest - said));
+  }
+  result_.planeSigma = off;
+  find(CalibrationReason::TableNotSeen, off);
   calibration.planeNormal = motion.direction;
   calibration.planeOffset = -motion.direction.dot(motion.point) - height;
 }

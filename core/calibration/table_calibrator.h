@@ -41,7 +41,8 @@ struct CalibrationOptions {
 
 struct CalibrationResult {
   TableCalibration calibration;  ///< its verdict says what the other values are worth
-  double planeSigma = 0.0;       ///< of the table plane at the axis; 0 where it was not seen [mm]
+  double planeSigma = 0.0;       ///< of the table plane at the axis [mm]
+  bool planeSeen = false;        ///< else its height is a guess
   std::vector<ScanResidual> scans;
   std::vector<CalibrationFinding> findings;  ///< the gravest first
 };

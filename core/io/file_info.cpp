@@ -8,6 +8,7 @@
 #include "geometry/measures.h"
 #include "io/file_kind.h"
 #include "io/grid_file.h"
+#include "io/mesh_colours.h"
 #include "io/mesh_reader.h"
 #include "io/model_reader.h"
 #include "io/obj_reader.h"
@@ -58,11 +59,18 @@ void addMesh(FileInfo& info, const Mesh& mesh) {
   addBox(info, m.box, "_mm");
 }
 
+// Of PLY and OBJ.
+void addColours(FileInfo& info, const std::string& path, const Progress& progress) {
+  const std::size_t coloured = readMeshColours(path, progress).size();
+  if (coloured > 0) add(info, "coloured_vertices", coloured);
+}
+
 FileInfo describeMesh(const std::string& path, const Progress& progress) {
   const LoadedMesh loaded = loadMesh(path, {}, progress);
   FileInfo info{FileContent::Mesh, {}};
   add(info, "format", loaded.format);
   addMesh(info, loaded.mesh);
+  addColours(info, path, progress);
   addRepair(info, loaded.repair);
   return info;
 }
@@ -72,6 +80,7 @@ FileInfo describeModel(const std::string& path, const Progress& progress) {
   FileInfo info{FileContent::Model, {}};
   add(info, "format", std::string("ply"));
   addMesh(info, model.mesh);
+  addColours(info, path, progress);
   std::vector<std::uint32_t> views = model.triangleView;
   std::sort(views.begin(), views.end());
   add(info, "views", static_cast<std::size_t>(std::unique(views.begin(), views.end()) - views.begin()));
@@ -88,6 +97,7 @@ FileInfo describeRange(const std::string& path, const Progress& progress) {
   add(info, "rows", static_cast<std::size_t>(samples.rows));
   add(info, "columns", static_cast<std::size_t>(samples.columns));
   add(info, "samples", samples.points.size());
+  if (!samples.colours.empty()) add(info, "coloured_samples", samples.colours.size());
   add(info, "filled", static_cast<double>(samples.points.size()) / static_cast<double>(samples.cell.size()));
   add(info, "mm_per_unit", grid.scale);
   if (grid.bytesLeftOver > 0) add(info, "bytes_left_over", grid.bytesLeftOver);

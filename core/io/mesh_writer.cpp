@@ -9,8 +9,8 @@
 #include <string>
 #include <type_traits>
 
-#include "base/errors.h"
 #include "base/atomic_file.h"
+#include "base/errors.h"
 #include "io/file_kind.h"
 #include "io/text_scanner.h"
 
@@ -26,8 +26,11 @@ struct Surface {
   const Mesh& mesh;
   const Model* model;
   Vec3 offset = Vec3::Zero();
+  const VertexColours* colours = nullptr;
 
   [[nodiscard]] bool isFar() const { return !offset.isZero(0.0); }
+  [[nodiscard]] bool isColoured() const { return colours != nullptr && !colours->empty(); }
+  [[nodiscard]] Colour colour(std::size_t vertex) const { return (*colours)[vertex].value_or(kGrey); }
 };
 
 void checkIndices(const Mesh& mesh) {
@@ -63,12 +66,22 @@ char* putDoubles(char* at, const Vec3& v) {
   return put(at, std::array<double, 3>{v.x(), v.y(), v.z()});
 }
 
+std::string greyComment(const VertexColours& colours) {
+  const std::size_t grey = countColourless(colours);
+  if (grey == 0) return {};
+  std::string text = "comment no colour was measured at " + std::to_string(grey) + " vertices, which are";
+  for (const int channel : kGrey) text += " " + std::to_string(channel);
+  return text + "\n";
+}
+
 std::string plyHeader(const Surface& surface) {
   std::string text = "ply\nformat binary_little_endian 1.0\ncomment millimetres\n";
+  if (surface.isColoured()) text += greyComment(*surface.colours);
   text += "element vertex " + std::to_string(surface.mesh.vertices.size()) + "\n";
   const std::string real = surface.isFar() ? "double" : "float";
   for (const char* axis : {"x", "y", "z"}) text += "property " + real + " " + axis + "\n";
   if (surface.model != nullptr) text += "property float confidence\n";
+  if (surface.isColoured()) text += "property uchar red\nproperty uchar green\nproperty uchar blue\n";
   text += "element face " + std::to_string(surface.mesh.triangles.size()) + "\n";
   text += "property list uchar int vertex_indices\n";
   if (surface.model != nullptr) text += "property int view\n";
@@ -78,11 +91,13 @@ std::string plyHeader(const Surface& surface) {
 void writePly(const Surface& surface, AtomicFile& file, const Progress& progress) {
   file.write(plyHeader(surface));
   const Model* model = surface.model;
+  const bool coloured = surface.isColoured();
   forRows(surface.mesh.vertices.size(), progress.part(0.0, 0.5), [&](std::size_t i) {
     const Vec3& vertex = surface.mesh.vertices[i];
-    char* at = file.grow((surface.isFar() ? 24U : 12U) + (model != nullptr ? 4U : 0U));
+    char* at = file.grow((surface.isFar() ? 24U : 12U) + (model != nullptr ? 4U : 0U) + (coloured ? 3U : 0U));
     at = surface.isFar() ? putDoubles(at, vertex + surface.offset) : putVector(at, vertex);
-    if (model != nullptr) put(at, model->confidence[i]);
+    if (model != nullptr) at = put(at, model->confidence[i]);
+    if (coloured) put(at, surface.colour(i));
   });
   forRows(surface.mesh.triangles.size(), progress.part(0.5, 1.0), [&](std::size_t i) {
     char* at = put(file.grow(model != nullptr ? 17 : 13), std::uint8_t{3});
@@ -126,6 +141,9 @@ void writeObj(const Surface& surface, AtomicFile& file, const Progress& progress
       at = surface.isFar() ? std::to_chars(at, end, value + surface.offset[k]).ptr
                            : std::to_chars(at, end, static_cast<float>(value)).ptr;
     }
+    if (surface.isColoured())
+      for (const std::uint8_t channel : surface.colour(i))
+        at = std::to_chars(putText(at, " "), end, static_cast<float>(channel) / 255.0F).ptr;
     at = putText(at, "\n");
     file.write({line.data(), static_cast<std::size_t>(at - line.data())});
   });
@@ -152,13 +170,21 @@ void exportSurface(const Surface& surface, const std::string& path, const Progre
 
 }  // namespace
 
-void exportModel(const Model& model, const std::string& path, const Progress& progress, const Vec3& offset) {
+void exportModel(const Model& model, const std::string& path, const Progress& progress, const Vec3& offset,
+                 const VertexColours& colours) {
   if (model.confidence.size() != model.mesh.vertices.size() || model.triangleView.size() != model.mesh.triangles.size())
     throw InvalidInput("the model's confidences and views do not match its vertices and triangles");
-  exportSurface({model.mesh, &model, offset}, path, progress);
+  if (!colours.empty() && colours.size() != model.mesh.vertices.size())
+    throw InvalidInput("the model has " + std::to_string(colours.size()) + " colours for " +
+                       std::to_string(model.mesh.vertices.size()) + " vertices");
+  exportSurface({model.mesh, &model, offset, &colours}, path, progress);
 }
 
 bool holdsOffset(const std::string& path) {
+  return extensionOf(path) != "stl";
+}
+
+bool holdsColours(const std::string& path) {
   return extensionOf(path) != "stl";
 }
 

@@ -4,6 +4,7 @@
 
 #include "base/progress.h"
 #include "integration/model.h"
+#include "integration/vertex_colours.h"
 
 namespace vantage {
 
@@ -17,11 +18,15 @@ namespace vantage {
 /// millimetres.
 /// @param offset is added to every vertex; with one, PLY and OBJ have double precision. STL, which has single precision
 ///        only, is written without: its header says so.
+/// @param colours of the vertices, or none; in PLY as uchar red, green and blue after the confidence, in OBJ as shares
+///        of 1 after the coordinates. STL has none. What has no colour is kGrey: a comment in PLY says how many are.
 void exportModel(const Model& model, const std::string& path, const Progress& progress = {},
-                 const Vec3& offset = Vec3::Zero());
+                 const Vec3& offset = Vec3::Zero(), const VertexColours& colours = {});
 
 /// Whether a file of that name can hold an offset.
 [[nodiscard]] bool holdsOffset(const std::string& path);
+/// Or colours.
+[[nodiscard]] bool holdsColours(const std::string& path);
 
 /// Writes a mesh likewise, without confidence and view.
 void exportMesh(const Mesh& mesh, const std::string& path, const Progress& progress = {});

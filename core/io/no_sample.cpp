@@ -28,7 +28,8 @@ constexpr double kEqualDepth = 1e-6;
 constexpr double kFarGap = 3.0;
 constexpr double kSomeGap = 0.5;
 constexpr double kDistinctShare = 0.5;
-// Farther from the median than this many times the middle half of the values.
+// Farther from the median than this many times the middle half of the values, along the axis where that is widest: a
+// wall is as thin as its noise along one.
 constexpr double kOutOfProportion = 1000.0;
 
 std::vector<Vec3> pointsOf(const SampleGrid& grid) {
@@ -86,10 +87,8 @@ class Dropper {
     do {
       progress.checkpoint(0.2);
     } while (dropRepeated());
-    for (int k = 0; k < 3; ++k) {
-      progress.checkpoint(0.4 + 0.1 * k);
-      dropOutliers(k);
-    }
+    progress.checkpoint(0.4);
+    dropOutliers(progress);
     for (const bool high : {false, true}) {
       progress.checkpoint(high ? 0.8 : 0.7);
       dropPlane(high);
@@ -125,15 +124,23 @@ class Dropper {
     return true;
   }
 
-  void dropOutliers(int k) {
-    std::vector<double> values;
-    for (const Vec3& p : pointsOf(grid_)) values.push_back(p[k]);
-    if (values.size() < 4) return;
-    const double middle = ranked(values, values.size() / 2);
-    const double upper = ranked(values, 3 * values.size() / 4);
-    const double half = upper - ranked(values, values.size() / 4);
+  void dropOutliers(const Progress& progress) {
+    const std::vector<Vec3> points = pointsOf(grid_);
+    if (points.size() < 4) return;
+    Vec3 middle;
+    double half = 0.0;
+    for (int k = 0; k < 3; ++k) {
+      progress.checkpoint(0.4 + 0.1 * k);
+      std::vector<double> values;
+      values.reserve(points.size());
+      for (const Vec3& p : points) values.push_back(p[k]);
+      middle[k] = ranked(values, values.size() / 2);
+      const double upper = ranked(values, 3 * values.size() / 4);
+      half = std::max(half, upper - ranked(values, values.size() / 4));
+    }
     if (!(half > 0.0)) return;
-    take(NoSampleMark::Outlier, [&](const Vec3& p) { return std::abs(p[k] - middle) > kOutOfProportion * half; });
+    take(NoSampleMark::Outlier,
+         [&](const Vec3& p) { return (p - middle).cwiseAbs().maxCoeff() > kOutOfProportion * half; });
   }
 
   // The samples of the least or the greatest depth.

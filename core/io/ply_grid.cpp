@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/errors.h"
+#include "io/ply_colours.h"
 #include "io/ply_document.h"
 #include "io/text_scanner.h"
 
@@ -40,27 +41,6 @@ std::vector<Vec3> readPoints(const PlyDocument& document, const std::string& pat
   for (std::size_t i = 0; i < points.size(); ++i)
     points[i] = Vec3(columns[0]->values[i], columns[1]->values[i], columns[2]->values[i]);
   return points;
-}
-
-// Per vertex; nothing where one of the three is missing. Numbers with a fraction are shares of full light.
-std::vector<Colour> readColours(const PlyDocument& document) {
-  constexpr std::array<std::string_view, 3> kChannels{"red", "green", "blue"};
-  std::array<const PlyColumn*, 3> columns{};
-  std::array<double, 3> full{};
-  for (std::size_t k = 0; k < 3; ++k) {
-    columns[k] = document.find("vertex", kChannels[k]);
-    if (columns[k] == nullptr || !columns[k]->start.empty()) return {};
-    const PlyType type = document.header().find("vertex")->find(kChannels[k])->type;
-    const bool share = type == PlyType::Float32 || type == PlyType::Float64;
-    full[k] = share ? 255.0 : type == PlyType::UInt16 ? 255.0 / 65535.0 : 1.0;
-  }
-  std::vector<Colour> colours(columns[0]->values.size());
-  for (std::size_t i = 0; i < colours.size(); ++i)
-    for (std::size_t k = 0; k < 3; ++k) {
-      const double value = full[k] * columns[k]->values[i];
-      colours[i][k] = static_cast<std::uint8_t>(value >= 0.0 ? std::lround(std::min(value, 255.0)) : 0);
-    }
-  return colours;
 }
 
 std::vector<std::uint32_t> readCells(const PlyDocument& document, std::size_t cells, const std::vector<Vec3>& points,
@@ -109,7 +89,7 @@ SampleGrid organisedGrid(const PlyDocument& document, const std::string& path) {
                        "x num_cols = " +
                        std::to_string(rows * columns) + " vertices, but there are " + std::to_string(points.size()));
   SampleGrid grid = gridOf(rows, columns, std::move(points), path);
-  grid.colours = readColours(document);
+  grid.colours = vertexColours(document);
   return grid;
 }
 
@@ -122,7 +102,7 @@ SampleGrid rangeGrid(const PlyDocument& document, const std::string& path) {
     throw InvalidInput(path + ": has a grid of " + std::to_string(cells) + " cells, at most " +
                        std::to_string(kMaxGridCells) + " are supported");
   grid.points = readPoints(document, path);
-  grid.colours = readColours(document);
+  grid.colours = vertexColours(document);
   grid.cell = readCells(document, cells, grid.points, path);
   return grid;
 }
@@ -147,7 +127,7 @@ GridFile readPlyGrid(const FileBytes& bytes, bool anyPoints, const Progress& pro
   const bool lists = header.find("range_grid") != nullptr;
   const bool said = lists || header.info("num_cols") || header.info("num_rows");
   if (anyPoints && !said) {
-    file.samples = scatteredPoints(readPoints(document, bytes.path()), readColours(document));
+    file.samples = scatteredPoints(readPoints(document, bytes.path()), vertexColours(document));
     file.organised = false;
   } else {
     file.samples = lists ? rangeGrid(document, bytes.path()) : organisedGrid(document, bytes.path());

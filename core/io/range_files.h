@@ -45,8 +45,8 @@ struct RangeFileOptions {
 [[nodiscard]] RangeImage readRangeFile(const std::string& path, const std::shared_ptr<const RayGrid>& rays,
                                        const RangeFileOptions& options = {}, const Progress& progress = {});
 
-/// Writes a range image as binary PLY range file in millimetres and scanner coordinates. Pose and position are not
-/// written.
+/// Writes a range image as binary PLY range file in millimetres and scanner coordinates, with its colours. Pose and
+/// position are not written.
 /// @throws InvalidInput for a range image that is not one; IoError, Cancelled as exportMesh
 void writeRangeFile(const RangeImage& image, const std::string& path, const Progress& progress = {});
 

@@ -21,6 +21,7 @@ std::string headerOf(const RangeImage& image) {
   text += std::string("obj_info rays ") + (lookAlongZ(*image.rays) ? "along_z" : "profile") + "\n";
   text += "element vertex " + std::to_string(image.sampleCount()) + "\n";
   text += "property float x\nproperty float y\nproperty float z\n";
+  if (!image.colours.empty()) text += "property uchar red\nproperty uchar green\nproperty uchar blue\n";
   text += "element range_grid " + std::to_string(image.rays->size()) + "\n";
   text += "property list uchar int vertex_indices\n";
   return text + "end_header\n";
@@ -36,6 +37,7 @@ void writeRangeFile(const RangeImage& image, const std::string& path, const Prog
     if (!image.valid(i)) continue;
     const Eigen::Vector3f p = image.point(i).cast<float>();
     std::memcpy(file.grow(sizeof(p)), p.data(), sizeof(p));
+    if (!image.colours.empty()) std::memcpy(file.grow(sizeof(Colour)), image.colours[i].data(), sizeof(Colour));
   }
   progress.checkpoint(0.5);
   std::int32_t next = 0;

@@ -35,19 +35,30 @@ Overlap traceOverlap(const PlanningScene& scene, int position, std::span<const S
   return overlap;
 }
 
-void predictRegistration(PositionScore& score, const PlanningScene& scene, std::span<const SurfaceElement> elements) {
+namespace {
+
+Stability predictedAt(int position, const PlanningScene& scene, std::span<const SurfaceElement> elements) {
   const PlannerOptions& options = scene.options();
   const double spacing = scene.spacing();
-  const Overlap overlap = traceOverlap(scene, score.position, elements);
+  const Overlap overlap = traceOverlap(scene, position, elements);
   std::vector<double> pairs;
   pairs.reserve(overlap.areas.size());
   for (const double a : overlap.areas) pairs.push_back(a / (spacing * spacing * options.pairsPerObservation));
   StabilityOptions stability;
   stability.noiseSigma = std::max(scene.profile().noise.rangeSigma, options.leastRangeSigma * spacing);
-  stability.prior = turntablePrior(scene.profile().mechanics);
-  const Stability predicted = analyseStability(overlap.points, overlap.normals, pairs, stability);
-  score.poseSigma = predicted.poseSigma;
-  score.weakMotions = predicted.weakMotions;
+  stability.prior = turntablePrior(scene.mechanics());
+  return analyseStability(overlap.points, overlap.normals, pairs, stability);
+}
+
+}  // namespace
+
+void predictRegistration(PositionScore& score, const PlanningScene& scene, std::span<const SurfaceElement> elements) {
+  for (const int position : scene.spread().extremes(score.position)) {
+    const Stability predicted = predictedAt(position, scene, elements);
+    if (score.poseSigma && *score.poseSigma >= predicted.poseSigma && position != score.position) continue;
+    score.poseSigma = predicted.poseSigma;
+    score.weakMotions = predicted.weakMotions;
+  }
 }
 
 }  // namespace vantage

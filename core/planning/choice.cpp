@@ -24,8 +24,10 @@ Constraint bind(PositionScore& score, const ChoiceOptions& options, bool tableAl
   return Constraint::Outscored;
 }
 
-// Whether a beats b: more void, then less motion, then the lower index.
-bool better(const PositionScore& a, const PositionScore& b, const Workspace& workspace, std::optional<int> current) {
+// Whether a beats b: more void, then less motion, then the lower index; more overlap before them, when it is scarce.
+bool better(const PositionScore& a, const PositionScore& b, const Workspace& workspace, std::optional<int> current,
+            bool overlapFirst) {
+  if (overlapFirst && a.overlapArea != b.overlapArea) return a.overlapArea > b.overlapArea;
   if (promise(a) != promise(b)) return promise(a) > promise(b);
   if (current) {
     const double motionA = motionBetween(workspace, *current, a.position);
@@ -50,11 +52,12 @@ Choice choose(std::vector<PositionScore>& scores, const Workspace& workspace, st
     choice.leastOverlap = relaxed.leastOverlap;
     PositionScore* best = nullptr;
     bool voidLeft = false;
+    const bool overlapFirst = options.preferOverlap && choice.relaxations > 0;
     for (PositionScore& score : scores) {
       score.constraint = bind(score, relaxed, choice.tableAlone);
       voidLeft = voidLeft || score.constraint != Constraint::BelowThreshold;
       if (score.constraint != Constraint::Outscored) continue;
-      if (best == nullptr || better(score, *best, workspace, current)) best = &score;
+      if (best == nullptr || better(score, *best, workspace, current, overlapFirst)) best = &score;
     }
     if (best != nullptr) {
       best->constraint = Constraint::Chosen;

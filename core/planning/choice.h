@@ -29,6 +29,9 @@ struct ChoiceOptions {
   double maxPoseSigma = 1.0;          ///< worst predicted pose error allowed [mm]
   /// How often t may be halved, and with it the pose error doubled, when no position satisfies them.
   int maxRelaxations = 3;
+  /// Once t had to be halved, what overlaps most is taken rather than what promises most: moves that are a guess may
+  /// end where less overlaps.
+  bool preferOverlap = false;
   /// At last overlap and pose error bind no more for what promises more than this: the table places the view [mm^2].
   /// Unset: never.
   std::optional<double> tableAloneThreshold;

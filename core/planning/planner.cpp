@@ -25,7 +25,8 @@ ChoiceOptions rulesOf(const PlanningScene& scene) {
   rules.terminationThreshold = terminationThreshold(options.termination, spacing, modelArea);
   rules.maxPoseSigma = options.poseSigmaShare * spacing;
   rules.maxRelaxations = options.maxRelaxations;
-  if (options.tableAloneShare < 1.0)
+  rules.preferOverlap = scene.spread().isWide();
+  if (options.tableAloneShare < 1.0 && !scene.spread().isWide())
     rules.tableAloneThreshold = std::max(rules.terminationThreshold, options.tableAloneShare * modelArea);
   return rules;
 }
@@ -109,7 +110,7 @@ Plan planNextView(const PlanInput& input, const ScannerImages& images, const Pla
                                              progress.part(0.45, 0.75, "project_seen"));
   Plan plan;
   plan.voids = scene.voids();
-  plan.scores = scoresOf(scene, voidAreas, overlapAreas);
+  plan.scores = scoresOf(scene, voidAreas, scene.spread().least(overlapAreas));
   plan.angularError = images.grid().shape().angularError;
   decide(plan, scene, overlapping, progress.part(0.75, 1.0, "choose"));
   return plan;

@@ -80,7 +80,8 @@ PlanningScene::PlanningScene(PlanInput input, std::shared_ptr<const VoidSurface>
       obstacles_(surface_),
       sight_(*input_.profile, obstacles_,
              {input_.profile->breakdownAngle, options_.surfaceOffset * spacing_, options_.sightMargin * spacing_}),
-      history_(patches(), moved(input_.views, T_table_object_), sight_, options_.history, progress.part(0.6, 1.0)) {}
+      history_(patches(), moved(input_.views, T_table_object_), sight_, options_.history, progress.part(0.6, 1.0)),
+      spread_(input_.profile->workspace, mechanics()) {}
 
 const Pose& PlanningScene::pose(int position) const {
   const std::vector<Pose>& poses = profile().workspace.poses;

@@ -11,6 +11,7 @@
 #include "planning/patch_history.h"
 #include "planning/planner_options.h"
 #include "planning/sight.h"
+#include "planning/turn_spread.h"
 #include "scanner/profile.h"
 #include "scanner/view.h"
 #include "void_space/void_patch.h"
@@ -27,6 +28,8 @@ struct PlanInput {
   /// How the object stands. Poses of the workspace are taken relative to the table: a position sees the object from
   /// T_object_table times its pose.
   Pose T_object_table = Pose::Identity();
+  /// How well the next move meets its position; nothing for as well as the profile says.
+  std::optional<Mechanics> mechanics = {};
 };
 
 /// What a plan is made with: everything that plan, images, sights, pictures and certificate have in common, put
@@ -75,6 +78,12 @@ class PlanningScene {
   /// T_table_scanner of a position.
   /// @throws InvalidInput for a position that the workspace does not have
   [[nodiscard]] const Pose& pose(int position) const;
+  /// How well a move meets a position.
+  [[nodiscard]] const Mechanics& mechanics() const {
+    return input_.mechanics ? *input_.mechanics : profile().mechanics;
+  }
+  /// Where a move may end.
+  [[nodiscard]] const TurnSpread& spread() const { return spread_; }
   /// A second scan from the same place finds what the first one found.
   [[nodiscard]] bool taken(int position) const;
   /// The same point and direction in the table's frame.
@@ -92,6 +101,7 @@ class PlanningScene {
   RayCaster obstacles_;
   SightTest sight_;
   PatchHistory history_;
+  TurnSpread spread_;
 };
 
 }  // namespace vantage

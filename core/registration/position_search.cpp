@@ -16,6 +16,10 @@ constexpr std::size_t kAsked = 3000;
 constexpr double kLeastExpected = 0.04 * static_cast<double>(kAsked);
 // So many of the best candidates are registered.
 constexpr std::size_t kRegistered = 4;
+// What the prior holds is known to so many times what makes a pose sure.
+constexpr double kHeld = 4.0;
+// Candidates turned by less from where a view was found would find the same again [rad].
+constexpr double kSamePlace = radians(4.5);
 
 // What share of the model's points that the view should see it saw, less those that it did not; where much of the model
 // is in sight of a wrong pose more points meet than at the right one.
@@ -45,6 +49,15 @@ double distanceBetween(const Pose& a, const Pose& b, const Vec3& centre) {
   return (a * centre - b * centre).norm() + centre.norm() * turn.angle();
 }
 
+// Whether a view is where it was registered: that is good, or would be with more overlap, or the prior holds what the
+// surface lets go of.
+bool isPlace(const RegistrationResult& result, const IcpOptions& options) {
+  if (result.verdict != Verdict::Doubtful) return result.verdict == Verdict::Good;
+  if (result.finding.reason == VerdictReason::HeldByMechanics)
+    return result.poseSigma <= kHeld * *options.limits.maxPoseSigma;
+  return result.finding.reason == VerdictReason::FewPairs;
+}
+
 // A registration reaches farther than from one position to the next.
 std::size_t nearest(std::span<const Pose> candidates, const Pose& found, const Vec3& centre) {
   const auto least = std::min_element(candidates.begin(), candidates.end(), [&](const Pose& a, const Pose& b) {
@@ -68,15 +81,23 @@ std::optional<FittingPose> poseThatFits(const ViewSurface& surface, std::span<co
   std::vector<std::size_t> best(candidates.size());
   std::iota(best.begin(), best.end(), std::size_t{0});
   std::stable_sort(best.begin(), best.end(), [&](std::size_t a, std::size_t b) { return scores[a] > scores[b]; });
-  best.resize(std::min(best.size(), kRegistered));
   const Vec3 centre = centreOf(surface);
+  const double near = kSamePlace * centre.norm() + looseShift(scale);
   std::optional<FittingPose> fits;
+  std::size_t registered = 0;
   for (const std::size_t i : best) {
+    if (registered == kRegistered) break;
+    // Those around it found it already: the rivals are elsewhere.
+    if (fits && distanceBetween(candidates[i], fits->registration.T_object_scanner, centre) < near) continue;
+    ++registered;
     const RegistrationResult result = registerView(surface, candidates[i], model, options, progress.part(0.5, 1.0));
-    const bool little = result.verdict == Verdict::Doubtful && result.finding.reason == VerdictReason::FewPairs;
-    if (!fits && (result.verdict == Verdict::Good || little))
+    if (!isPlace(result, icp)) continue;
+    if (!fits) {
       fits = {nearest(candidates, result.T_object_scanner, centre), result, 0.0};
-    if (!fits || result.verdict != Verdict::Good) continue;
+      continue;
+    }
+    // A good place fears good ones only.
+    if (fits->registration.verdict == Verdict::Good && result.verdict != Verdict::Good) continue;
     const double distance = distanceBetween(fits->registration.T_object_scanner, result.T_object_scanner, centre);
     if (distance > gates.distance) fits->rivalDistance = std::max(fits->rivalDistance, distance);
   }

@@ -16,7 +16,8 @@ struct FittingPose {
 };
 
 /// The pose among many that a view fits: those where the most of the model meets the view are registered, and the first
-/// that is good, or would be with more overlap, tells where the view is. Nothing where none is.
+/// that is good, or would be with more overlap, or is held by the prior where the surface lets go of a motion, tells
+/// where the view is. Nothing where none is.
 /// @param candidates T_object_scanner each
 /// @throws InvalidInput as registerView, Cancelled
 [[nodiscard]] std::optional<FittingPose> poseThatFits(const ViewSurface& surface, std::span<const Pose> candidates,

@@ -3,6 +3,8 @@
 #include <array>
 #include <string>
 
+#include "acquisition/hand_placing.h"
+#include "acquisition/table_place.h"
 #include "geometry/measures.h"
 #include "report/wording.h"
 
@@ -27,6 +29,13 @@ std::optional<WarningCode> codeOf(const KeptScan& scan) {
   return std::nullopt;
 }
 
+Warning warningOf(WarningCode code, const KeptScan& scan) {
+  const RegistrationResult& registration = scan.record.registration;
+  Warning warning{code, scan.number, registration.finding, {}, {}};
+  if (isLoose(scan)) warning.value = registration.poseSigma;
+  return warning;
+}
+
 bool endedEarly(Termination termination) {
   return termination != Termination::Running && termination != Termination::Finished &&
          termination != Termination::Imported;
@@ -36,20 +45,24 @@ bool endedEarly(Termination termination) {
 
 std::string_view name(WarningCode code) {
   constexpr std::array<std::string_view, static_cast<std::size_t>(kLastWarningCode) + 1> kNames{
-      "scan_rejected", "scan_doubtful", "scan_waiting", "nothing_covered", "little_covered", "ended_early"};
+      "scan_rejected",  "scan_doubtful", "scan_waiting",    "nothing_covered",
+      "little_covered", "ended_early",   "table_turns_back"};
   return kNames[static_cast<std::size_t>(code)];
 }
 
 bool isSerious(const Warning& warning) {
   return warning.code != WarningCode::ScanDoubtful || !warning.finding ||
-         warning.finding->reason != VerdictReason::HeldByMechanics;
+         warning.finding->reason != VerdictReason::HeldByMechanics || warning.value.has_value();
 }
 
 std::vector<Warning> warningsOf(const AcquisitionState& state, std::size_t firstScan) {
   std::vector<Warning> warnings;
   for (std::size_t i = firstScan; i < state.scans.size(); ++i)
-    if (const auto code = codeOf(state.scans[i]))
-      warnings.push_back({*code, state.scans[i].number, state.scans[i].record.registration.finding, {}, {}});
+    if (const auto code = codeOf(state.scans[i])) warnings.push_back(warningOf(*code, state.scans[i]));
+  for (const std::int64_t scan : scansTurnedBack(state)) {
+    const bool asked = firstScan < state.scans.size() && scan >= state.scans[firstScan].number;
+    if (asked) warnings.push_back({WarningCode::TableTurnsBack, scan, {}, {}, {}});
+  }
   const double covered = state.model ? area(state.model->mesh) : 0.0;
   const bool ended = state.termination != Termination::Running;
   if (!(covered > 0.0)) {
@@ -68,6 +81,9 @@ Phrase phraseOf(const Warning& warning) {
     case WarningCode::ScanRejected:
       return words("scan %1 was rejected and is not in the model: %2", {scan, finding});
     case WarningCode::ScanDoubtful:
+      if (warning.value)
+        return words("scan %1, whose table was turned by hand, is doubtful and may be off by %2 mm: %3",
+                     {scan, figure(*warning.value, 1), finding});
       return words("scan %1 is doubtful: %2", {scan, finding});
     case WarningCode::ScanWaiting:
       return words("scan %1 waits until it is known how the object stood", {scan});
@@ -76,6 +92,11 @@ Phrase phraseOf(const Warning& warning) {
     case WarningCode::LittleCovered:
       return words("little is covered: there are positions that would still show %1 % of what the model has",
                    {figure(100.0 * warning.value.value_or(0.0))});
+    case WarningCode::TableTurnsBack:
+      return words(
+          "scan %1 fits where the table would have turned the other way: if it always does, calibrate it, or say that "
+          "its sense is -1",
+          {scan});
     case WarningCode::EndedEarly:
       return words("the acquisition is not finished: %1",
                    {asIs(std::string(sentenceOf(warning.termination.value_or(Termination::Running))))});

@@ -18,8 +18,9 @@ enum class WarningCode : std::uint8_t {
   NothingCovered,  ///< the model has no surface
   LittleCovered,   ///< positions would still show more than a small share of the model [share]
   EndedEarly,      ///< the acquisition ended for another reason than that nothing more is to be seen
+  TableTurnsBack,  ///< the scan fits where the table would have turned the other way
 };
-inline constexpr WarningCode kLastWarningCode = WarningCode::EndedEarly;
+inline constexpr WarningCode kLastWarningCode = WarningCode::TableTurnsBack;
 /// "scan_rejected", "scan_doubtful", ...
 [[nodiscard]] std::string_view name(WarningCode code);
 
@@ -27,12 +28,12 @@ struct Warning {
   WarningCode code = WarningCode::NothingCovered;
   std::optional<std::int64_t> scan;        ///< its number, for warnings of scans
   std::optional<Finding> finding;          ///< what its verdict rests on
-  std::optional<double> value;             ///< what the code says
+  std::optional<double> value;             ///< what the code says; how far a scan turned by hand may be off [mm]
   std::optional<Termination> termination;  ///< of an acquisition that ended early
 };
 
 /// Whether it speaks against the result. A scan of a body of revolution, say, that surface and mechanics hold together
-/// is as good as it can be: that is said, and no more.
+/// is as good as it can be: that is said, and no more. Where a person turned the table, mechanics hold nothing.
 [[nodiscard]] bool isSerious(const Warning& warning);
 
 /// What is not well about the scans from the index on, and about the whole.

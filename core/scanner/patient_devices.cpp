@@ -81,14 +81,67 @@ ReachedPose PatientPositioner::moveTo(int position, const Progress& progress) {
       progress);
 }
 
+void PatientPositioner::standsFarther(double angle) {
+  if (!patience_.hanging()) positioner_->standsFarther(angle);
+}
+
 std::optional<ReachedPose> PatientPositioner::where() const {
   if (patience_.hanging()) return {};
   return positioner_->where();
 }
 
+PatientTurntable::PatientTurntable(std::shared_ptr<Turntable> table, std::chrono::milliseconds patience)
+    : table_(std::move(table)), patience_(table_->identity(), patience) {}
+
+// Whoever drops the table itself closes it.
+PatientTurntable::~PatientTurntable() = default;
+
+void PatientTurntable::open(const Progress& progress) {
+  openPatiently(table_, patience_, progress);
+}
+
+void PatientTurntable::close() noexcept {
+  closeBriefly(table_, patience_);
+}
+
+std::optional<std::string> PatientTurntable::notReady() const {
+  return notReadyOf(*table_, patience_);
+}
+
+void PatientTurntable::headFor(int position) {
+  if (!patience_.hanging()) table_->headFor(position);
+}
+
+TableAngle PatientTurntable::turnTo(double degrees, const Progress& progress) {
+  return patience_.call<TableAngle>(
+      "turning", [table = table_, degrees](const Progress& inner) { return table->turnTo(degrees, inner); }, progress);
+}
+
+std::optional<TableAngle> PatientTurntable::jog(double degrees, const Progress& progress) {
+  return patience_.call<std::optional<TableAngle>>(
+      "turning", [table = table_, degrees](const Progress& inner) { return table->jog(degrees, inner); }, progress);
+}
+
+void PatientTurntable::ask(const Progress& progress) {
+  patience_.run(
+      "telling where it stands", [table = table_](const Progress& inner) { table->ask(inner); }, progress);
+}
+
+std::optional<TableAngle> PatientTurntable::angle() const {
+  if (patience_.hanging()) return {};
+  return table_->angle();
+}
+
+void PatientTurntable::home(const Progress& progress) {
+  patience_.run(
+      "going home", [table = table_](const Progress& inner) { table->home(inner); }, progress);
+}
+
 Rig withPatience(const Rig& rig, std::chrono::milliseconds patience) {
-  return {std::make_shared<PatientSensor>(rig.sensor, patience),
-          std::make_shared<PatientPositioner>(rig.positioner, patience)};
+  Rig patient{std::make_shared<PatientSensor>(rig.sensor, patience),
+              std::make_shared<PatientPositioner>(rig.positioner, patience), nullptr};
+  if (rig.table) patient.table = std::make_shared<PatientTurntable>(rig.table, patience);
+  return patient;
 }
 
 }  // namespace vantage

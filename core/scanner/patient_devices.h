@@ -41,6 +41,7 @@ class PatientPositioner final : public Positioner {
   void close() noexcept override;
   [[nodiscard]] std::optional<std::string> notReady() const override;
   [[nodiscard]] ReachedPose moveTo(int position, const Progress& progress) override;
+  void standsFarther(double angle) override;
   [[nodiscard]] std::optional<ReachedPose> where() const override;
 
  private:
@@ -49,7 +50,29 @@ class PatientPositioner final : public Positioner {
   Patience patience_;
 };
 
-/// The rig with both devices given up when they show no sign of life for too long.
+/// The same of a turntable. Where it stands is not known while it does not answer.
+class PatientTurntable final : public Turntable {
+ public:
+  PatientTurntable(std::shared_ptr<Turntable> table, std::chrono::milliseconds patience);
+  ~PatientTurntable() override;
+
+  [[nodiscard]] std::string identity() const override { return table_->identity(); }
+  void open(const Progress& progress) override;
+  void close() noexcept override;
+  [[nodiscard]] std::optional<std::string> notReady() const override;
+  void headFor(int position) override;
+  [[nodiscard]] TableAngle turnTo(double degrees, const Progress& progress) override;
+  [[nodiscard]] std::optional<TableAngle> jog(double degrees, const Progress& progress) override;
+  void ask(const Progress& progress) override;
+  [[nodiscard]] std::optional<TableAngle> angle() const override;
+  void home(const Progress& progress) override;
+
+ private:
+  std::shared_ptr<Turntable> table_;
+  Patience patience_;
+};
+
+/// The rig with all its devices given up when they show no sign of life for too long.
 [[nodiscard]] Rig withPatience(const Rig& rig, std::chrono::milliseconds patience);
 
 }  // namespace vantage

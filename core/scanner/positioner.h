@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <optional>
 
 #include "scanner/device.h"
@@ -14,6 +15,8 @@ struct ReachedPose {
   Pose T_table_scanner = Pose::Identity();  ///< as far as anybody knows
   PoseSource knownBy = PoseSource::Unknown;
   std::optional<Mechanics> uncertainty;  ///< of one move; nothing where only the scanner's profile says something
+  /// When it was last seen to move on its way there; nothing where nobody can see that.
+  std::optional<std::chrono::system_clock::time_point> movedUntil = {};
 };
 
 /// What brings the scanner to a position of its workspace, by moving the table or itself: a turntable, a person.
@@ -23,6 +26,11 @@ class Positioner : public Device {
   /// @throws DeviceError for a position that the workspace does not have, and for whatever kept it from getting there,
   /// with what the operator can do about it; Cancelled: where() says what is then known.
   [[nodiscard]] virtual ReachedPose moveTo(int position, const Progress& progress) = 0;
+
+  /// Hears that it really stands by so much farther round the table's axis than it says [rad, counter-clockwise from
+  /// above], as a scan has shown. From then on it goes to where it is asked to from there; the poses that it says stay
+  /// those of its own count.
+  virtual void standsFarther(double /*angle*/) {}
 
   /// Where it stands; nothing when that is not known, for instance before the first move. Answers at once.
   [[nodiscard]] virtual std::optional<ReachedPose> where() const = 0;

@@ -4,6 +4,7 @@
 
 #include "scanner/positioner.h"
 #include "scanner/range_sensor.h"
+#include "scanner/turntable.h"
 
 namespace vantage {
 
@@ -11,6 +12,7 @@ namespace vantage {
 struct Rig {
   std::shared_ptr<RangeSensor> sensor;
   std::shared_ptr<Positioner> positioner;
+  std::shared_ptr<Turntable> table;  ///< of the positioner, where it can be jogged, homed and calibrated
 };
 
 /// The same rig with both devices open. @throws DeviceError, Cancelled

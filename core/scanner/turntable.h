@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <optional>
 
 #include "scanner/device.h"
@@ -11,6 +12,8 @@ namespace vantage {
 struct TableAngle {
   double degrees = 0.0;                      ///< as the table counts, not reduced to one turn
   PoseSource knownBy = PoseSource::Unknown;  ///< Reported where the device tells it, Commanded where it cannot
+  /// When it was last seen to turn on its way there; nothing where nobody can see that.
+  std::optional<std::chrono::system_clock::time_point> turnedUntil = {};
 };
 
 /// A table that turns to an angle of its own count. Which way and how far it really turns is for its calibration to say
@@ -25,6 +28,14 @@ class Turntable : public Device {
   /// @throws DeviceError for whatever kept it from getting there, with what the operator can do about it; Cancelled:
   /// the table was told to stop, and angle() says what is then known
   [[nodiscard]] virtual TableAngle turnTo(double degrees, const Progress& progress) = 0;
+
+  /// Turns by so many degrees, also when it is not known where it stands: to bring it to a mark.
+  /// @return where it then stands; nothing when that is still not known. @throws as turnTo
+  [[nodiscard]] virtual std::optional<TableAngle> jog(double degrees, const Progress& progress);
+
+  /// Asks it where it stands and how it is: what has become of it since it was last spoken to is known afterwards.
+  /// Tables that cannot be asked stay as they are known. @throws DeviceError, Cancelled
+  virtual void ask(const Progress& /*progress*/) {}
 
   /// Where it stands; nothing when that is not known: before the first move of some tables, after a reset. At once.
   [[nodiscard]] virtual std::optional<TableAngle> angle() const = 0;

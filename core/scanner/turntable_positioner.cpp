@@ -29,30 +29,57 @@ double tableAngleOf(const ScannerProfile& profile, int position, double near) {
 
 TurntablePositioner::TurntablePositioner(std::shared_ptr<const ScannerProfile> profile,
                                          std::shared_ptr<Turntable> table, const TurntableUse& use)
-    : profile_(std::move(profile)), table_(std::move(table)), use_(use) {}
+    : profile_(std::move(profile)), table_(std::move(table)), use_(use), farther_(use.stands.farther) {}
 
 void TurntablePositioner::open(const Progress& progress) {
   table_->open(progress);
   if (where_) return;
+  // One that does not know where it stands is told angles from position 0, whoever turned it before.
   const auto now = table_->angle();
-  offset_ = (now ? now->degrees : 0.0) - tableAngleOf(*profile_, use_.standsAt, 0.0);
+  const TableStand& stands = use_.stands;
+  offset_ = now ? now->degrees - tableAngleOf(*profile_, stands.position, 0.0) +
+                      countPerDegree(*profile_) * degrees(stands.counted)
+                : 0.0;
 }
 
 ReachedPose TurntablePositioner::moveTo(int position, const Progress& progress) {
-  const Pose& nominal = workspacePose(*this, profile_->workspace, position);
+  static_cast<void>(workspacePose(*this, profile_->workspace, position));
   const auto before = table_->angle();
   const double here = before ? before->degrees : offset_;
-  double commanded = tableAngleOf(*profile_, position, here - offset_) + offset_;
+  const double count = countPerDegree(*profile_);
+  const double offset = offset_ + count * degrees(farther_);
+  double commanded = tableAngleOf(*profile_, position, here - offset) + offset;
   if (use_.alwaysMoves && std::abs(commanded - here) < kNoMove)
-    commanded += (here > offset_ ? -1.0 : 1.0) * 360.0 * std::abs(countPerDegree(*profile_));
+    commanded += (here > offset ? -1.0 : 1.0) * 360.0 * std::abs(count);
   where_.reset();
   table_->headFor(position);
   const TableAngle reached = table_->turnTo(commanded, progress);
-  // The scanner goes round the object the other way than the table turns.
-  const double off = radians((reached.degrees - commanded) / countPerDegree(*profile_));
-  const Pose turned = Eigen::AngleAxisd(-off, Vec3::UnitZ()) * nominal;
-  where_ = {position, off == 0.0 ? nominal : turned, reached.knownBy, {}};
+  const double beyond = (reached.degrees - commanded) / count;
+  where_ = poseAt(position, beyond, reached.knownBy);
+  where_->movedUntil = reached.turnedUntil;
   return *where_;
+}
+
+// The pose of a table that counts so many degrees beyond a position.
+ReachedPose TurntablePositioner::poseAt(int position, double beyond, PoseSource knownBy) const {
+  const Pose& nominal = profile_->workspace.poses[static_cast<std::size_t>(position)];
+  // The scanner goes round the object the other way than the table turns.
+  const double off = radians(beyond) + farther_;
+  const Pose turned = Eigen::AngleAxisd(-off, Vec3::UnitZ()) * nominal;
+  return {position, off == 0.0 ? nominal : turned, knownBy, {}};
+}
+
+std::optional<ReachedPose> TurntablePositioner::where() const {
+  if (where_) return where_;
+  const auto now = table_->angle();
+  if (!now) return std::nullopt;
+  const double count = countPerDegree(*profile_);
+  const double angle = now->degrees - offset_ - count * degrees(farther_);
+  const auto beyond = [&](int position) { return (angle - tableAngleOf(*profile_, position, angle)) / count; };
+  int nearest = 0;
+  for (int i = 1; i < static_cast<int>(profile_->workspace.size()); ++i)
+    if (std::abs(beyond(i)) < std::abs(beyond(nearest))) nearest = i;
+  return poseAt(nearest, beyond(nearest), now->knownBy);
 }
 
 }  // namespace vantage

@@ -19,6 +19,17 @@ class LossList {
     if (++count <= kMostNamed) losses_.push_back(std::move(loss));
   }
 
+  /// One and the same loss for each of many numbers, from one to before another.
+  /// @param make the loss of a number: only asked for as many as are named
+  template <typename Make>
+  void addEach(std::int64_t from, std::int64_t to, Make make) {
+    const std::int64_t named = std::min<std::int64_t>(to, from + kMostNamed);
+    for (std::int64_t number = from; number < named; ++number) add(make(number));
+    if (to <= named) return;
+    const Loss last = make(to - 1);
+    counts_[{last.kind, last.name}].first += to - named;
+  }
+
   /// All of them, with the counts.
   [[nodiscard]] std::vector<Loss> all() const {
     std::vector<Loss> losses = losses_;

@@ -13,9 +13,9 @@ namespace {
 void checkNumbers(const SessionStore& store, const std::vector<std::int64_t>& numbers, LossList& losses) {
   std::int64_t next = 0;
   for (const std::int64_t number : numbers) {
-    for (; next < number; ++next)
-      losses.add(
-          {LossKind::ScanDamaged, next, {}, store.path() + ": scan " + std::to_string(next) + " does not exist"});
+    losses.addEach(next, number, [&](std::int64_t lost) {
+      return Loss{LossKind::ScanDamaged, lost, {}, store.path() + ": scan " + std::to_string(lost) + " does not exist"};
+    });
     next = number + 1;
   }
 }

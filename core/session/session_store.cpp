@@ -33,11 +33,19 @@ std::int64_t numberIn(const std::string& text) {
   return number;
 }
 
+// Nothing that moves an object is off by more [rad, mm].
+constexpr double kMostAngleSigma = radians(90.0);
+constexpr double kMostPositionSigma = 1000.0;
+
 // The columns `column` (of the angle [rad]) and `column` + 1 (of the place [mm]).
-std::optional<Mechanics> uncertaintyOf(const Statement& row, int column) {
+std::optional<Mechanics> uncertaintyOf(const Statement& row, int column, const std::string& what) {
   const auto angle = row.optionalReal(column);
   const auto place = row.optionalReal(column + 1);
   if (!angle || !place) return std::nullopt;
+  const auto within = [](double sigma, double most) { return sigma >= 0.0 && sigma <= most; };
+  if (!within(*angle, kMostAngleSigma) || !within(*place, kMostPositionSigma))
+    throw InvalidInput(what + " is damaged: its place is said to be unsure by " + std::to_string(*angle) + " rad and " +
+                       std::to_string(*place) + " mm, expected 0 to 1.57 rad and 0 to 1000 mm");
   return Mechanics{*angle, *place};
 }
 
@@ -183,7 +191,7 @@ RangeImage SessionStore::scan(std::int64_t number, std::size_t rays) {
   image.poseKnownBy = poseSourceFromName(row.text(2), what);
   image.T_table_scanner = poseFromBlob(row.blob(3), what);
   image.range = rangeFromBlob(row.blob(4), rays, what);
-  image.poseUncertainty = uncertaintyOf(row, 5);
+  image.poseUncertainty = uncertaintyOf(row, 5, what);
   image.takenWith = row.text(7);
   if (const auto colours = row.blob(8); !colours.empty()) image.colours = coloursFromBlob(colours, rays, what);
   return image;

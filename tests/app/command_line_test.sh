@@ -97,6 +97,11 @@ expect 1 "leave --frame" "$cli" import "$work/empty.ply" --scanner "$scanner" --
 printf 'ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n9000 0 0\n9050 0 0\n9000 50 50\n3 0 1 2\n' >"$work/away.ply"
 expect 1 "has no surface" "$cli" acquire --object "$work/away.ply" --scanner "$scanner" --out "$work/away"
 [[ ! -e $work/away ]] || { echo "FAIL: a session without a view was left"; failures=$((failures + 1)); }
+# Who cannot turn the table somewhere is not asked to turn it there again.
+for turn in 1 2 3 4 5; do printf 'done\nskip\n'; done |
+  "$cli" acquire --object "$mug" --scanner "$scanner" --table hand --events --max-views 4 --out "$work/hand" >"$work/turns" 2>&1
+asked=$(grep '"event":"turn"' "$work/turns" | sed 's/.*"position":\([0-9]*\).*/\1/')
+[[ $(wc -l <<<"$asked") -ge 5 && -z $(sort <<<"$asked" | uniq -d) ]] || { echo "FAIL: asked to turn to" $asked; failures=$((failures + 1)); }
 cp -r "$work/run" "$work/replaced"
 expect 4 '"code": "ended_early"' "$cli" acquire --object "$mug" --scanner "$scanner" --out "$work/replaced" --max-views 1 --replace --json
 expect 0 "views: 1" "$cli" info "$work/replaced/session.vantage"

@@ -73,7 +73,7 @@ INSTANTIATE_TEST_SUITE_P(Either, HangingDevices, ::testing::Values(true, false),
 
 TEST_P(HangingDevices, AreGivenUpWithAMessage) {
   begin(std::chrono::seconds(1));
-  controller_->startTestTurn();
+  controller_->testTurn();
   ASSERT_TRUE(waitFor([&] { return controller_->idle(); }));
   EXPECT_TRUE(failure_.contains(GetParam() ? "stuck sensor has not answered" : "stuck table has not answered"))
       << failure_.toStdString();
@@ -87,7 +87,7 @@ TEST_P(HangingDevices, AreStoppedSoon) {
   begin(kForEver);
   for (const bool test : {true, false}) {
     if (test)
-      controller_->startTestTurn();
+      controller_->testTurn();
     else
       controller_->run();
     QElapsedTimer timer;
@@ -104,7 +104,7 @@ TEST_P(HangingDevices, AreStoppedSoon) {
 
 TEST_P(HangingDevices, DoNotHoldWhoLeaves) {
   begin(kForEver);
-  controller_->startTestTurn();
+  controller_->testTurn();
   QElapsedTimer timer;
   timer.start();
   ASSERT_TRUE(waitFor([&] { return timer.elapsed() > 200; }));

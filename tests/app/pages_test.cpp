@@ -161,7 +161,7 @@ TEST_P(Pages, NothingIsBlankClippedOrNameless) {
   Desk desk(GetParam().size, GetParam().dark);
   check(desk, "1_choose");
   desk.next();
-  desk.controller().startTestTurn();
+  desk.controller().testTurn();
   check(desk, "2_check");
   desk.next();
   check(desk, "3_acquire");

@@ -103,9 +103,9 @@ TEST_F(SessionControllerTest, SaysWhatIsWrongWithAFile) {
 
 TEST_F(SessionControllerTest, TestTurnKeepsNothing) {
   prepare();
-  controller_->startTestTurn();
-  ASSERT_TRUE(controller_->testTurnResult());
-  EXPECT_NEAR(controller_->testTurnResult()->expected, radians(30.0), 1e-9);
+  controller_->testTurn();
+  ASSERT_TRUE(controller_->testScans().turnResult());
+  EXPECT_NEAR(controller_->testScans().turnResult()->expected, radians(30.0), 1e-9);
   EXPECT_FALSE(controller_->hasSession());
 }
 
@@ -214,8 +214,8 @@ TEST_F(SessionControllerTest, ASessionThatIsReopenedHasItsObjectOnTheTable) {
   EXPECT_EQ(after.height, before.height);
   EXPECT_EQ(after.lowest, before.lowest);
   EXPECT_TRUE(after.insideVolume);
-  controller_->startTestTurn();
-  EXPECT_TRUE(controller_->testTurnResult());
+  controller_->testTurn();
+  EXPECT_TRUE(controller_->testScans().turnResult());
 }
 
 TEST_F(SessionControllerTest, ASessionOfRecordedScansHasNothingToScanWithAndSaysSo) {
@@ -234,8 +234,8 @@ TEST_F(SessionControllerTest, ASessionOfRecordedScansHasNothingToScanWithAndSays
     EXPECT_TRUE(controller_->permissions().whyNotTestTurn().contains("recorded"));
     EXPECT_FALSE(controller_->permissions().whyNotRun().isEmpty());
     controller_->step();
-    controller_->startTestTurn();
-    EXPECT_FALSE(controller_->testTurnResult());
+    controller_->testTurn();
+    EXPECT_FALSE(controller_->testScans().turnResult());
     EXPECT_TRUE(controller_->now()->scans.empty());
   }
 }
@@ -443,7 +443,7 @@ TEST_F(SessionControllerTest, WhatCannotBeDoneIsRefusedAloud) {
   controller_->leaveOut(1);
   controller_->takeBack(1);
   controller_->allowMoreViews(1);
-  controller_->startTestTurn();
+  controller_->testTurn();
   controller_->exportModel(path("none.stl"));
   EXPECT_EQ(refused.count(), 13);
   for (const auto& why : refused) EXPECT_TRUE(why[0].toString().endsWith('.')) << why[0].toString().toStdString();

@@ -2,100 +2,31 @@
 // gives it one.
 #include <gtest/gtest.h>
 
-#include <QAbstractButton>
-#include <QApplication>
-#include <QComboBox>
-#include <QDeadlineTimer>
 #include <QElapsedTimer>
 #include <QFile>
 #include <QLineEdit>
 #include <QProcess>
-#include <QSpinBox>
-#include <QStandardPaths>
 #include <QTemporaryDir>
 #include <QTest>
-#include <QTimer>
 
-#include "main_window.h"
+#include "app/operator.h"
 
 namespace vantage {
 namespace {
 
 constexpr int kViews = 3;
-constexpr int kPatience = 200000;  // [ms] for a whole acquisition on a busy machine
 // [ms] that the window may not answer: what is shorter nobody notices. Everything that takes longer is computed or
 // drawn beside it.
 constexpr int kLongestBlock = 100;
 constexpr int kLongestCancel = 500;  // [ms] until a cancelled step has ended
 
-// Lets the window work until something holds. As a program does it sleeps until an event comes: QTest::qWaitFor naps
-// between events, which a watchdog would take for a window that does not answer.
-template <typename Condition>
-bool waitFor(const Condition& holds) {
-  const QDeadlineTimer patience(kPatience);
-  QTimer look;
-  look.start(20);
-  while (!holds() && !patience.hasExpired()) QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
-  return holds();
-}
+using testing::kPatience;
+using testing::waitFor;
+using testing::Watchdog;
 
-// The window as main makes it, and the hands of an operator.
-class Operator {
+class Operator : public testing::Operator {
  public:
-  explicit Operator(const QString& folder) {
-    window_.resize(1280, 800);
-    window_.show();
-    QSpinBox* views = window_.findChild<QSpinBox*>("max_views");
-    views->setValue(kViews);
-    window_.findChild<QLineEdit*>("folder")->setText(folder);
-  }
-
-  // Clicks a button that is in sight and enabled.
-  void click(const char* name) {
-    for (auto* button : window_.findChildren<QAbstractButton*>(name)) {
-      if (!button->isVisible()) continue;
-      ASSERT_TRUE(waitFor([&] { return button->isEnabled(); })) << name;
-      QTest::mouseClick(button, Qt::LeftButton);
-      ++clicks_;
-      return;
-    }
-    FAIL() << "no button " << name << " in sight";
-  }
-
-  [[nodiscard]] bool waitForPage(const char* key) {
-    return waitFor([&] { return window_.wizard().page().key() == key; });
-  }
-  [[nodiscard]] bool waitUntilIdle() {
-    return waitFor([&] { return controller_.idle(); });
-  }
-
-  [[nodiscard]] int clicks() const { return clicks_; }
-  SessionController& controller() { return controller_; }
-  MainWindow& window() { return window_; }
-
- private:
-  ThreadedJobRunner jobs_{machineThreads()};
-  SessionController controller_{jobs_, QStandardPaths::writableLocation(QStandardPaths::CacheLocation).toStdString()};
-  MainWindow window_{{controller_, jobs_, glSurfaces(), QStringLiteral(VANTAGE_RESOURCES)}, Preferences{}};
-  int clicks_ = 0;
-};
-
-// Measures the longest time that the event loop did not come round.
-class Watchdog {
- public:
-  Watchdog() {
-    timer_.setInterval(5);
-    timer_.setTimerType(Qt::PreciseTimer);
-    QObject::connect(&timer_, &QTimer::timeout, [this] { longest_ = std::max(longest_, clock_.restart()); });
-    clock_.start();
-    timer_.start();
-  }
-  [[nodiscard]] qint64 longest() const { return longest_; }
-
- private:
-  QTimer timer_;
-  QElapsedTimer clock_;
-  qint64 longest_ = 0;
+  explicit Operator(const QString& folder) : testing::Operator(folder, kViews) {}
 };
 
 QByteArray bytesOf(const QString& path) {

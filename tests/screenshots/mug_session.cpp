@@ -1,5 +1,7 @@
 #include "screenshots/mug_session.h"
 
+#include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 #include "acquisition/acquisition.h"
@@ -34,6 +36,12 @@ std::vector<SharedSnapshot> acquireMug() {
   return snapshots;
 }
 
+Colour ringsAt(const Vec3& p) {
+  const bool blue = static_cast<int>(std::floor(p.z() / 12.0)) % 2 == 0;
+  const auto red = static_cast<std::uint8_t>(std::clamp(120.0 + 2.0 * p.y(), 0.0, 255.0));
+  return blue ? Colour{red, 90, 200} : Colour{red, 170, 60};
+}
+
 }  // namespace
 
 const std::vector<SharedSnapshot>& mugSnapshots() {
@@ -47,6 +55,19 @@ SharedSnapshot mugUnderWay() {
 
 SharedSnapshot mugFinished() {
   return mugSnapshots().back();
+}
+
+SharedSnapshot paintedMug(std::size_t viewsWithout) {
+  auto state = std::make_shared<AcquisitionState>(*mugFinished()->state);
+  for (std::size_t k = viewsWithout; k < state->scans.size(); ++k) {
+    View& view = state->scans[k].view;
+    RangeImage image = *view.image;
+    image.colours.assign(image.range.size(), Colour{});
+    for (std::size_t i = 0; i < image.range.size(); ++i)
+      if (image.valid(i)) image.colours[i] = ringsAt(view.T_object_scanner * image.point(i));
+    view.image = std::make_shared<const RangeImage>(std::move(image));
+  }
+  return makeSnapshot(state);
 }
 
 }  // namespace vantage::testing

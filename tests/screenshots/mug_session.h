@@ -14,4 +14,7 @@ namespace vantage::testing {
 [[nodiscard]] SharedSnapshot mugUnderWay();
 [[nodiscard]] SharedSnapshot mugFinished();
 
+/// The same of a mug with blue and green rings, redder to one side; the scans of the first views saw no colours.
+[[nodiscard]] SharedSnapshot paintedMug(std::size_t viewsWithout = 0);
+
 }  // namespace vantage::testing

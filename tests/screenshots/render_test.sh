@@ -38,6 +38,12 @@ cmp -s "$folder/step.png" "$folder/model1.png" && fail "--step 1 shows the last 
 [[ $(code_of "$cli" render "$session" --step 9 --out "$folder/x.png") == 1 ]] || fail "--step 9: expected exit code 1"
 grep -q -- "--step is 9" "$folder/messages" || fail "--step 9: the message does not name it"
 [[ $(code_of "$cli" render "$session" --view nothing --out "$folder/x.png") == 2 ]] || fail "--view nothing: expected 2"
+"$cli" render "$session" --surface plain --out "$folder/plain.png" --size 320x240 >/dev/null
+cmp "$folder/plain.png" "$folder/model1.png" || fail "a model without colours is not plain by itself"
+"$cli" render "$session" --surface age --out "$folder/age.png" --size 320x240 >/dev/null
+cmp -s "$folder/age.png" "$folder/model1.png" && fail "--surface age shows nothing else"
+[[ $(code_of "$cli" render "$session" --surface colours --out "$folder/x.png") == 1 ]] || fail "--surface colours: expected 1"
+grep -q "none of its scans has colours" "$folder/messages" || fail "--surface colours: the message does not say why"
 [[ $(code_of "$cli" render "$session" --size 5x5 --out "$folder/x.png") == 1 ]] || fail "--size 5x5: expected 1"
 [[ $(code_of "$cli" render "$session" --out "$folder/no/x.png") == 1 ]] || fail "a folder that is missing: expected 1"
 echo "all views drawn"

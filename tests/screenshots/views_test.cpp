@@ -109,6 +109,24 @@ TEST_P(Views, ModelByAge) {
   EXPECT_TRUE(matchesBaseline(image, named("model_age")));
 }
 
+// By themselves, and not where something else is asked for.
+TEST_P(Views, ModelInTheColoursOfItsScans) {
+  const QImage image = model(paintedMug(), {.voidPatches = false});
+  EXPECT_TRUE(showsColour(image, QColor(120, 90, 200), 0.005, 60));
+  EXPECT_FALSE(showsText(image, "no colour was measured", theme().text));
+  EXPECT_TRUE(isSamePicture(image, model(paintedMug(), {.colouring = ModelColouring::Colours, .voidPatches = false})));
+  EXPECT_TRUE(isSamePicture(model(paintedMug(), {.colouring = ModelColouring::Plain, .voidPatches = false}),
+                            model(mugFinished(), {.voidPatches = false})));
+  EXPECT_TRUE(matchesBaseline(image, named("model_colours")));
+}
+
+TEST_P(Views, ModelOfWhichSomeScansSawNoColours) {
+  const QImage image = model(paintedMug(8), {.voidPatches = false});
+  expectLegend(image, "Surface in its colours", true);
+  expectLegend(image, "no colour was measured", false);
+  EXPECT_TRUE(matchesBaseline(image, named("model_colours_mixed")));
+}
+
 TEST_P(Views, VoidByStateAtTheEndTellsReasons) {
   const QImage image = model(mugFinished(), {.voidColouring = VoidColouring::State, .turntable = false});
   expectLegend(image, "Void by state", true);

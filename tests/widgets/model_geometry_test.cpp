@@ -1,9 +1,15 @@
 #include "layers/model_geometry.h"
 
 #include <gtest/gtest.h>
+#include <vtkPointData.h>
 #include <vtkPolyData.h>
+#include <vtkUnsignedCharArray.h>
 
+#include "acquisition/memory_journal.h"
+#include "acquisition/model_colours.h"
+#include "support/coloured_scan.h"
 #include "support/meshes.h"
+#include "support/scenes/small_scene.h"
 
 namespace vantage {
 namespace {
@@ -15,6 +21,72 @@ std::shared_ptr<const Model> sphereModel(double radius, int rings) {
   model->confidence.assign(model->mesh.vertices.size(), 1.0F);
   model->triangleView.assign(model->mesh.triangles.size(), 0);
   return model;
+}
+
+// Colours of the points as they are drawn.
+std::vector<Rgb> drawnColours(vtkPolyData& data) {
+  std::vector<Rgb> colours;
+  auto* scalars = vtkUnsignedCharArray::SafeDownCast(data.GetPointData()->GetScalars());
+  for (vtkIdType i = 0; scalars != nullptr && i < scalars->GetNumberOfTuples(); ++i)
+    colours.push_back({scalars->GetValue(3 * i), scalars->GetValue(3 * i + 1), scalars->GetValue(3 * i + 2)});
+  return colours;
+}
+
+// Two scans of the small object, taken together as one model.
+AcquisitionState paintedState(bool coloured) {
+  const Rig rig = testing::simulation(testing::smallObject(), testing::smallProfile(), {1, true});
+  std::vector<RangeImage> images;
+  for (const int position : {0, 2}) {
+    RangeImage image = scanFrom(rig, position, {});
+    image.station.position.reset();
+    image.poseKnownBy = PoseSource::Reported;
+    images.push_back(coloured ? testing::painted(std::move(image)) : std::move(image));
+  }
+  MemoryJournal journal(nullptr, {});
+  Acquisition(journal).importScans(std::move(images));
+  return *journal.state();
+}
+
+TEST(ModelGeometry, IsShownInItsColoursWhereItHasSomeUnlessSomethingElseIsAskedFor) {
+  ModelGeometry geometry;
+  EXPECT_EQ(geometry.shown({}), ModelColouring::Plain);
+  EXPECT_EQ(geometry.shown(ModelColouring::Colours), ModelColouring::Plain);
+  EXPECT_EQ(geometry.shown(ModelColouring::Age), ModelColouring::Age);
+  geometry.colours.emplace_back(Colour{1, 2, 3});
+  EXPECT_EQ(geometry.shown({}), ModelColouring::Colours);
+  EXPECT_EQ(geometry.shown(ModelColouring::Colours), ModelColouring::Colours);
+  EXPECT_EQ(geometry.shown(ModelColouring::Plain), ModelColouring::Plain);
+}
+
+TEST(ModelGeometry, DrawsColoursAndGreyWhereThereIsNone) {
+  const auto model = sphereModel(50.0, 120);
+  StandInOptions options;
+  options.mostTriangles = 1000;
+  options.targetTriangles = 3000;
+  ModelGeometry geometry = *withStandIn(prepareModelGeometry(model), options);
+  std::vector<Rgb> expected;
+  for (std::size_t v = 0; v < model->mesh.vertices.size(); ++v) {
+    const Colour colour{static_cast<std::uint8_t>(v), static_cast<std::uint8_t>(v / 256), 3};
+    geometry.colours.push_back(v % 5 == 0 ? std::nullopt : std::optional(colour));
+    expected.push_back(v % 5 == 0 ? kGrey : colour);
+  }
+  EXPECT_EQ(drawnColours(*geometry.coloured(ModelColouring::Colours, 1)), expected);
+  const std::vector<Rgb> coarse = drawnColours(*geometry.colouredCoarse(ModelColouring::Colours, 1));
+  ASSERT_EQ(coarse.size(), geometry.coarseVertex.size());
+  for (std::size_t i = 0; i < coarse.size(); ++i) EXPECT_EQ(coarse[i], expected[geometry.coarseVertex[i]]);
+}
+
+TEST(ModelGeometry, HasTheColoursOfItsScans) {
+  const AcquisitionState painted = paintedState(true);
+  const auto geometry = prepareGeometryOf(painted);
+  EXPECT_EQ(geometry->colours.size(), painted.model->mesh.vertices.size());
+  EXPECT_EQ(geometry->colours, coloursOf(painted));
+  EXPECT_NE(geometry->caster, nullptr);
+  const AcquisitionState plain = paintedState(false);
+  EXPECT_TRUE(prepareGeometryOf(plain)->colours.empty());
+  const auto surface = prepareSurface(plain.model);
+  EXPECT_EQ(withColours(surface, plain), surface);
+  EXPECT_EQ(prepareGeometryOf({}), nullptr);
 }
 
 TEST(StandIn, IsLeftOutForASmallModel) {

@@ -12,6 +12,7 @@
 #include <unordered_map>
 #include <utility>
 
+#include "acquisition/model_colours.h"
 #include "geometry/mesh_topology.h"
 
 namespace vantage {
@@ -99,6 +100,11 @@ Rgb ageColour(std::size_t view, std::size_t views) {
   return colourAt(ColourMap::Viridis, views > 1 ? static_cast<double>(view) / static_cast<double>(views - 1) : 1.0);
 }
 
+ModelColouring ModelGeometry::shown(std::optional<ModelColouring> asked) const {
+  const ModelColouring wanted = asked.value_or(ModelColouring::Colours);
+  return wanted == ModelColouring::Colours && colours.empty() ? ModelColouring::Plain : wanted;
+}
+
 vtkSmartPointer<vtkPolyData> ModelGeometry::coloured(ModelColouring colouring, std::size_t views) const {
   std::vector<Rgb> colours;
   switch (colouring) {
@@ -113,6 +119,9 @@ vtkSmartPointer<vtkPolyData> ModelGeometry::coloured(ModelColouring colouring, s
     case ModelColouring::Age:
       for (const std::uint32_t view : model->triangleView) colours.push_back(ageColour(view, views));
       break;
+    case ModelColouring::Colours:
+      for (const auto& colour : this->colours) colours.push_back(colour.value_or(kGrey));
+      return withPointColours(*surface, colours);
   }
   return withCellColours(*surface, colours);
 }
@@ -125,6 +134,8 @@ vtkSmartPointer<vtkPolyData> ModelGeometry::colouredCoarse(ModelColouring colour
       colours.push_back(confidenceColour(model->confidence[v]));
     else if (colouring == ModelColouring::View)
       colours.push_back(viewColour(model->vertexView[v]));
+    else if (colouring == ModelColouring::Colours)
+      colours.push_back(this->colours[v].value_or(kGrey));
     else
       colours.push_back(ageColour(model->vertexView[v], views));
   }
@@ -155,6 +166,20 @@ std::shared_ptr<const ModelGeometry> prepareModelGeometry(std::shared_ptr<const 
                                                           const Progress& progress) {
   progress.checkpoint(0.0);
   return withPicking(prepareSurface(std::move(model)), progress.part(0.4, 1.0));
+}
+
+std::shared_ptr<const ModelGeometry> withColours(const std::shared_ptr<const ModelGeometry>& geometry,
+                                                 const AcquisitionState& state, const Progress& progress) {
+  VertexColours colours = coloursOf(state, progress);
+  if (colours.empty()) return geometry;
+  auto result = std::make_shared<ModelGeometry>(*geometry);
+  result->colours = std::move(colours);
+  return result;
+}
+
+std::shared_ptr<const ModelGeometry> prepareGeometryOf(const AcquisitionState& state, const Progress& progress) {
+  if (!state.model) return nullptr;
+  return withColours(prepareModelGeometry(state.model, progress.part(0.0, 0.5)), state, progress.part(0.5, 1.0));
 }
 
 bool needsStandIn(const Model& model, const StandInOptions& options) {

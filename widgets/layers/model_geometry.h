@@ -5,10 +5,12 @@
 #include <memory>
 #include <vector>
 
+#include "acquisition/acquisition_state.h"
 #include "base/progress.h"
 #include "geometry/measures.h"
 #include "geometry/ray_caster.h"
 #include "integration/model.h"
+#include "integration/vertex_colours.h"
 #include "layers/model_options.h"
 #include "vtk/poly_data.h"
 
@@ -19,6 +21,7 @@ struct ModelGeometry {
   std::shared_ptr<const Model> model;
   vtkSmartPointer<vtkPolyData> surface;
   BoundingBox box;
+  VertexColours colours;  ///< that the scans saw; empty where they saw none, and while they are not ready
 
   vtkSmartPointer<vtkPolyData> boundary;    ///< null while only the surface is ready
   std::shared_ptr<const RayCaster> caster;  ///< null while only the surface is ready
@@ -26,7 +29,10 @@ struct ModelGeometry {
   vtkSmartPointer<vtkPolyData> coarse;      ///< drawn while the camera moves; null for a small model
   std::vector<std::uint32_t> coarseVertex;  ///< per vertex of it the model's vertex
 
-  /// The surface and its coarse stand-in in colours; with the plain colouring without.
+  /// What is shown where a colouring is asked for: colours only where there are some.
+  [[nodiscard]] ModelColouring shown(std::optional<ModelColouring> asked) const;
+
+  /// The surface and its coarse stand-in in colours; with the plain colouring without. @pre colours, for Colours
   [[nodiscard]] vtkSmartPointer<vtkPolyData> coloured(ModelColouring colouring, std::size_t views) const;
   [[nodiscard]] vtkSmartPointer<vtkPolyData> colouredCoarse(ModelColouring colouring, std::size_t views) const;
 };
@@ -41,6 +47,15 @@ struct ModelGeometry {
 /// Makes a model ready to be drawn and picked. @throws Cancelled
 [[nodiscard]] std::shared_ptr<const ModelGeometry> prepareModelGeometry(std::shared_ptr<const Model> model,
                                                                         const Progress& progress = {});
+
+/// The same with the colours of its scans, where they have some: about as long as a consensus takes. @throws Cancelled
+[[nodiscard]] std::shared_ptr<const ModelGeometry> withColours(const std::shared_ptr<const ModelGeometry>& geometry,
+                                                               const AcquisitionState& state,
+                                                               const Progress& progress = {});
+
+/// Makes the model of a state ready to be drawn and picked, in its colours; null without one. @throws Cancelled
+[[nodiscard]] std::shared_ptr<const ModelGeometry> prepareGeometryOf(const AcquisitionState& state,
+                                                                     const Progress& progress = {});
 
 /// Large models are drawn coarsely while the camera moves.
 struct StandInOptions {

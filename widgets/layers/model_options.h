@@ -1,18 +1,20 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 namespace vantage {
 
-/// What the model's surface is coloured by.
-enum class ModelColouring : std::uint8_t { Plain, Confidence, View, Age };
+/// What the model's surface is coloured by; the last: the colours that its scans saw.
+enum class ModelColouring : std::uint8_t { Plain, Confidence, View, Age, Colours };
 
 /// What void patches are coloured by.
 enum class VoidColouring : std::uint8_t { EdgeClass, State };
 
 /// What of a session the model view shows.
 struct ModelViewOptions {
-  ModelColouring colouring = ModelColouring::Plain;
+  /// Unset: in its colours where the model has some, else plain.
+  std::optional<ModelColouring> colouring = std::nullopt;
   VoidColouring voidColouring = VoidColouring::EdgeClass;
   bool surface = true;
   bool boundary = true;

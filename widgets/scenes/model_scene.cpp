@@ -90,6 +90,12 @@ KeyLegend viewLegend(const std::vector<View>& views) {
   return legend;
 }
 
+// What the grey of a model is whose scans saw colours only here and there; nothing to say where they did everywhere.
+std::optional<KeyLegend> coloursLegend(const VertexColours& colours) {
+  if (countColourless(colours) == 0) return std::nullopt;
+  return KeyLegend{Text::tr("Surface in its colours"), {{toColour(kGrey), Text::tr("no colour was measured")}}};
+}
+
 double areaOf(const VoidSurface& voids) {
   double sum = 0.0;
   for (const VoidPatch& patch : voids.patches) sum += patch.weight;
@@ -139,8 +145,12 @@ void ModelScene::highlight(const std::vector<std::uint32_t>& patches) {
   voids_.highlight(patches);
 }
 
+ModelColouring ModelScene::colouring() const {
+  return geometry_ ? geometry_->shown(options_.colouring) : options_.colouring.value_or(ModelColouring::Plain);
+}
+
 void ModelScene::update() {
-  model_.set(geometry_, options_.colouring, snapshot_ ? snapshot_->views.size() : 0);
+  model_.set(geometry_, colouring(), snapshot_ ? snapshot_->views.size() : 0);
   model_.setVisible(options_.surface, options_.boundary);
   voids_.set(snapshot_ ? snapshot_->plan : nullptr, options_.voidColouring);
   voids_.setVisible(options_.voidPatches);
@@ -206,11 +216,13 @@ Overlay ModelScene::overlay() const {
     overlay.legends.emplace_back(options_.voidColouring == VoidColouring::State
                                      ? stateLegend(*snapshot_->plan)
                                      : edgeClassLegend(*snapshot_->plan->voids));
-  if (options_.surface && options_.colouring == ModelColouring::Confidence)
+  if (options_.surface && colouring() == ModelColouring::Confidence)
     overlay.legends.emplace_back(
         ScaleLegend{Text::tr("Confidence"), Text::tr("cos of the angle"), 0.0, 1.0, ColourMap::Cividis});
-  if (options_.surface && options_.colouring == ModelColouring::View) overlay.legends.emplace_back(viewLegend(views));
-  if (options_.surface && options_.colouring == ModelColouring::Age)
+  if (options_.surface && colouring() == ModelColouring::View) overlay.legends.emplace_back(viewLegend(views));
+  if (options_.surface && colouring() == ModelColouring::Colours && geometry_)
+    if (const auto legend = coloursLegend(geometry_->colours)) overlay.legends.emplace_back(*legend);
+  if (options_.surface && colouring() == ModelColouring::Age)
     overlay.legends.emplace_back(ScaleLegend{Text::tr("Surface by age"), Text::tr("view"), 1.0,
                                              static_cast<double>(views.size()), ColourMap::Viridis});
   KeyLegend rays{Text::tr("Ranging rays"), {}};

@@ -53,6 +53,7 @@ class ModelScene {
 
  private:
   void update();
+  [[nodiscard]] ModelColouring colouring() const;
   void updateRays();
 
   Scene scene_;

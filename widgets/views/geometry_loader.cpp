@@ -24,16 +24,17 @@ void GeometryStore::keep(const std::shared_ptr<const ModelGeometry>& geometry) {
 GeometryLoader::GeometryLoader(std::shared_ptr<GeometryStore> store)
     : store_(store ? std::move(store) : std::make_shared<GeometryStore>()) {}
 
-void GeometryLoader::load(const std::shared_ptr<const Model>& model, const Show& show,
+void GeometryLoader::load(const std::shared_ptr<const AcquisitionState>& state, const Show& show,
                           const BackgroundWork::Failed& failed) {
   work_.cancel();
-  if (model == nullptr) return show(nullptr);
+  if (state == nullptr || state->model == nullptr) return show(nullptr);
+  const std::shared_ptr<const Model> model = state->model;
   const auto ready = store_->find(model);
   const bool complete = ready && (ready->coarse != nullptr || !needsStandIn(*model));
   if (ready) show(ready);
   if (complete) return;
   work_.start(
-      [model, show, store = store_](const Progress& progress, const BackgroundWork::Deliver& deliver) {
+      [state, model, show, store = store_](const Progress& progress, const BackgroundWork::Deliver& deliver) {
         const auto present = [&](const std::shared_ptr<const ModelGeometry>& geometry) {
           deliver([show, geometry] { show(geometry); });
         };
@@ -43,7 +44,8 @@ void GeometryLoader::load(const std::shared_ptr<const Model>& model, const Show&
         if (!geometry) {
           geometry = prepareSurface(model);
           if (needsStandIn(*model)) present(geometry);
-          geometry = withPicking(geometry, progress.part(0.1, 0.3));
+          geometry = withColours(geometry, *state, progress.part(0.1, 0.2));
+          geometry = withPicking(geometry, progress.part(0.2, 0.3));
           store->keep(geometry);
         }
         present(geometry);

@@ -32,8 +32,10 @@ class GeometryLoader {
   explicit GeometryLoader(std::shared_ptr<GeometryStore> store);
 
   /// Calls `show` when the model is ready, at once where it is already. A large model is shown as soon as it can be
-  /// drawn, again when it can be picked, and again when it has its stand-in. @param model null shows nothing
-  void load(const std::shared_ptr<const Model>& model, const Show& show, const BackgroundWork::Failed& failed);
+  /// drawn, again when it has its colours and can be picked, and again when it has its stand-in.
+  /// @param state whose model; null, or without one, shows nothing
+  void load(const std::shared_ptr<const AcquisitionState>& state, const Show& show,
+            const BackgroundWork::Failed& failed);
   void finish() { work_.finish(); }
 
  private:

@@ -23,7 +23,7 @@ void ModelView::setSnapshot(const SharedSnapshot& snapshot) {
   const bool loads = model && (scene_->geometry() == nullptr || scene_->geometry()->model != model);
   if (loads) emit loadingChanged(true);
   loader_->load(
-      model, [this, snapshot](const auto& geometry) { show(snapshot, geometry); },
+      snapshot ? snapshot->state : nullptr, [this, snapshot](const auto& geometry) { show(snapshot, geometry); },
       [this](const QString& why) {
         setOverlay({{tr("The model cannot be shown: %1").arg(why)}, {}});
         emit loadingChanged(false);

@@ -21,9 +21,8 @@ PositionalSpaceView::~PositionalSpaceView() {
 }
 
 void PositionalSpaceView::setSnapshot(const SharedSnapshot& snapshot) {
-  const std::shared_ptr<const Model> model = snapshot && snapshot->state ? snapshot->state->model : nullptr;
   loader_->load(
-      model, [this, snapshot](const auto& geometry) { show(snapshot, geometry); },
+      snapshot ? snapshot->state : nullptr, [this, snapshot](const auto& geometry) { show(snapshot, geometry); },
       [this](const QString& why) {
         setOverlay({{tr("The model cannot be shown: %1").arg(why)}, {}});
       });

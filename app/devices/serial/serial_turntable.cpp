@@ -249,7 +249,9 @@ TableAngle SerialTurntable::turnTo(double degrees, const Progress& progress) {
     checkStillThere(pulse);
     turn(origin_ + unitsOf(degrees), progress);
   });
-  return angleAt(*known_.position);
+  TableAngle reached = angleAt(*known_.position);
+  reached.turnedUntil = motion_->turnedUntil();
+  return reached;
 }
 
 std::optional<TableAngle> SerialTurntable::jog(double degrees, const Progress& progress) {

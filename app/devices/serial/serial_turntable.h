@@ -36,9 +36,9 @@ class SerialTurntable final : public Turntable {
   /// Looks for its index where the board has one, and begins to count where it then stands.
   void home(const Progress& progress) override;
 
-  /// Turns by so many degrees, also when it is not known where it stands: to bring it to a mark. An alarm is cleared.
-  /// @return where it then stands; nothing when that is still not known
-  std::optional<TableAngle> jog(double degrees, const Progress& progress);
+  /// An alarm is cleared first.
+  std::optional<TableAngle> jog(double degrees, const Progress& progress) override;
+  void ask(const Progress& progress) override { askStatus(progress); }
 
   /// Stops what it does: that ends as cancelled.
   void stop() noexcept { stopAsked_ = true; }

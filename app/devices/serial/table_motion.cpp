@@ -45,6 +45,7 @@ struct TableMotion::Course {
   Clock::time_point start = Clock::now(), gained = Clock::now();
   double nearest;
   std::optional<double> position, count;
+  std::chrono::system_clock::time_point asked = std::chrono::system_clock::now();
   int rests = 0;
   bool moved = false, sentAgain = false, atEnd = false;
 
@@ -105,6 +106,7 @@ void TableMotion::pause(milliseconds time, const TableDialog::Pulse& pulse) {
 }
 
 double TableMotion::move(double from, double to, const Watch& watch) {
+  turnedUntil_.reset();
   Course course(from, to, watch);
   return profile_.status ? moveReported(course) : moveBlind(course);
 }
@@ -127,7 +129,11 @@ void TableMotion::checkRest(Course& course, const StatusReport& report) {
 }
 
 bool TableMotion::arrived(Course& course, const StatusReport& report) {
+  const auto gained = course.gained;
   const bool motorStood = course.note(report);
+  // It was not there yet when it was asked the time before.
+  if (course.gained != gained) turnedUntil_ = course.asked;
+  course.asked = std::chrono::system_clock::now();
   const double tolerance = profile_.tolerance * profile_.unitsPerTurn / 360.0;
   const bool there = report.position && std::abs(*report.position - course.to) <= tolerance;
   switch (report.state) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <functional>
 #include <optional>
 #include <string>
@@ -22,6 +23,9 @@ class TableMotion {
   /// @return where it rests
   /// @throws DeviceError when it is not moved, and stands where it stood; PositionLost otherwise; what the watch throws
   [[nodiscard]] double move(double from, double to, const Watch& watch);
+
+  /// When a report last told that the table turns, in the move that has ended; nothing when none did.
+  [[nodiscard]] std::optional<std::chrono::system_clock::time_point> turnedUntil() const { return turnedUntil_; }
 
   /// Stops it, in so many steps as the time allows; can be gone on with.
   /// @return where it came to rest [units]; nothing when that is not known, or not yet
@@ -52,6 +56,7 @@ class TableMotion {
 
   TableDialog& dialog_;
   const TableProfile& profile_;
+  std::optional<std::chrono::system_clock::time_point> turnedUntil_;
 };
 
 }  // namespace vantage

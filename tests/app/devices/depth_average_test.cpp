@@ -32,8 +32,36 @@ TEST(DepthAverage, NothingMeasuredIsNoDepthAndDoesNotCount) {
 }
 
 TEST(DepthAverage, EveryPixelIsItsOwn) {
-  const std::vector<float> average = averageDepth({{10, 0, 30}, {12, 0, 31}});
-  EXPECT_EQ(average, (std::vector<float>{11.0F, 0.0F, 30.5F}));
+  const std::vector<float> average = averageDepth({{1000, 0, 3000}, {1001, 0, 3001}});
+  EXPECT_EQ(average, (std::vector<float>{1000.5F, 0.0F, 3000.5F}));
+}
+
+// What becomes of a pixel among others that see still surface.
+float averageAtEdge(const std::vector<std::uint16_t>& depths) {
+  std::vector<DepthFrame> frames;
+  for (std::size_t i = 0; i < depths.size(); ++i) {
+    const auto still = static_cast<std::uint16_t>(4498 + (3 * i) % 5);
+    frames.push_back({still, still, depths[i], still});
+  }
+  return averageDepth(frames)[2];
+}
+
+// Next to an edge a depth is that of the front, or of anywhere between front and back.
+TEST(DepthAverage, DepthsThatJumpAtAnEdgeAreTheFrontOrNone) {
+  EXPECT_NEAR(averageAtEdge({4501, 4630, 4499, 4560, 4500, 4502, 4710, 4500, 4521, 4498}), 4500.0F, 1.0F);
+  EXPECT_FLOAT_EQ(averageAtEdge({4501, 4630, 4500, 4560, 4540, 4502, 4710, 4660, 4521, 4590}), 0.0F);
+  EXPECT_FLOAT_EQ(averageAtEdge({4500, 4600}), 0.0F);
+}
+
+// One pixel of ten frames tells little about the noise: all of them tell.
+TEST(DepthAverage, WhatAgreesIsTheSameForAllPixels) {
+  const std::vector<std::uint16_t> still{1000, 1004, 996, 1002, 998, 1003, 997, 1001, 999, 1000};
+  const std::vector<std::uint16_t> lucky{1000, 1000, 1000, 1000, 1000, 1000, 1003, 1004, 997, 1030};
+  std::vector<DepthFrame> frames;
+  for (std::size_t i = 0; i < still.size(); ++i) frames.push_back({still[i], still[i], lucky[i]});
+  const std::vector<float> average = averageDepth(frames);
+  EXPECT_FLOAT_EQ(average[0], 1000.0F);
+  EXPECT_FLOAT_EQ(average[2], 1000.0F + 4.0F / 9.0F);
 }
 
 TEST(DepthAverage, RefusesFramesThatDiffer) {

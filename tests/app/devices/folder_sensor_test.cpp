@@ -78,6 +78,38 @@ TEST_F(FolderSensorTest, AFileThatWasBeingWrittenWhenTheMoveBeganIsOfTheScanBefo
   expectTaken(*waiting, "after.ply");
 }
 
+TEST_F(FolderSensorTest, AFileThatWasBegunWhileTheTableTurnedIsOfNoPosition) {
+  static_cast<void>(sensor());
+  sensor().announceMove();
+  static_cast<void>(folder_.write("during.ply", text_));
+  std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  sensor().standAt({0, Pose::Identity(), PoseSource::Reported, {}, std::chrono::system_clock::now()});
+  ASSERT_EQ(sensor().refused().size(), 1U);
+  EXPECT_NE(sensor().refused()[0].reason.find("during.ply: was begun while the table still turned"), std::string::npos);
+  const auto waiting = capture();
+  EXPECT_FALSE(waiting->isOver(kLater));
+  static_cast<void>(folder_.write("after.ply", testing::plyText(scan_, {}, false)));
+  expectTaken(*waiting, "after.ply");
+}
+
+TEST_F(FolderSensorTest, AFileThatCameWhenTheTableRestedMayComeBeforeThatIsKnown) {
+  static_cast<void>(sensor());
+  sensor().announceMove();
+  const auto rested = std::chrono::system_clock::now() - std::chrono::seconds(1);
+  static_cast<void>(folder_.write("soon.ply", text_));
+  sensor().standAt({0, Pose::Identity(), PoseSource::Reported, {}, rested});
+  expectTaken(*capture(), "soon.ply");
+}
+
+TEST_F(FolderSensorTest, ProgramsMayWriteTheSameFileAgainAndAgain) {
+  const auto first = capture();
+  static_cast<void>(folder_.write("scan.ply", text_));
+  expectTaken(*first, "scan.ply");
+  sensor().announceMove();
+  static_cast<void>(folder_.write("scan.ply", testing::plyText(scan_, {}, false)));
+  expectTaken(*capture(), "scan.ply");
+}
+
 TEST_F(FolderSensorTest, TakesAFileThatCame) {
   const auto waiting = capture();
   static_cast<void>(folder_.write("a.ply", text_));

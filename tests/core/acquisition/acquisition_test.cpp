@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "acquisition/memory_journal.h"
+#include "acquisition/table_place.h"
 #include "base/errors.h"
 #include "session/state_hash.h"
 #include "support/scenes/small_scene.h"

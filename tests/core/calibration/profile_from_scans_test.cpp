@@ -48,9 +48,11 @@ TEST(ProfileFromScans, FindsACamera) {
   EXPECT_EQ(fit.type, "pinhole");
   EXPECT_LT(fit.residual, 0.1);
   EXPECT_NEAR(fit.noise, 0.1, 0.03);
-  // Little of a lump is steep: where its samples end is on the safe side.
+  // Little of a lump is steep: where its samples end is on the safe side, and the truth between what is said.
   EXPECT_GT(degrees(fit.breakdownAngle), 60.0);
   EXPECT_LT(degrees(fit.breakdownAngle), 78.0);
+  EXPECT_LE(fit.end.from, scene.profile->breakdownAngle + radians(1.0));
+  EXPECT_GE(fit.end.to, scene.profile->breakdownAngle - radians(1.0));
   const ScannerProfile profile = parseProfile(fit.source);
   ASSERT_EQ(profile.rays->size(), scene.profile->rays->size());
   EXPECT_EQ(profile.workspace.size(), 90U);

@@ -70,6 +70,16 @@ TEST(NoSample, IsANumberOutOfAllProportion) {
   EXPECT_EQ(found.dropped, 5U * kColumns);
 }
 
+// Along one axis a wall is as thin as its noise.
+TEST(NoSample, IsNoObjectBeforeAWall) {
+  SampleGrid grid = capBefore([](int r, int c) { return Vec3(c, r, 0.0); });
+  for (std::size_t i = 0; i < grid.points.size(); ++i) {
+    const double wave = std::sin(static_cast<double>(i));
+    grid.points[i].z() = i < 5U * kColumns ? 300.0 + wave : 700.0 + 0.001 * wave;
+  }
+  EXPECT_EQ(dropNoSamples(grid, {}).dropped, 0U);
+}
+
 TEST(NoSample, IsWhatTheOperatorSays) {
   const auto table = [](int r, int c) { return Vec3(c - 25.0, r - 20.0, 301.0); };
   expectDropped(capBefore(table), NoSampleMark::Given, 301.0);

@@ -62,6 +62,24 @@ TEST(Warnings, OfAPoseThatMechanicsHoldAreNotSerious) {
   EXPECT_FALSE(isSerious(warningsOf(state)[0]));
 }
 
+TEST(Warnings, WhatNobodyKnowsOfAScanTurnedByHandIsSerious) {
+  AcquisitionState state = finishedState();
+  KeptScan scan = scanWith(1, ScanStatus::In, Verdict::Doubtful);
+  scan.record.registration.finding = {VerdictReason::HeldByMechanics, {}, {{WeakMotion::Kind::Turn, Vec3::UnitZ()}}};
+  scan.record.registration.poseSigma = 4.2;
+  RangeImage image;
+  image.poseKnownBy = PoseSource::ByHand;
+  image.poseUncertainty = Mechanics{radians(7.5), 3.0};
+  scan.view.image = std::make_shared<const RangeImage>(image);
+  ViewMesh mesh;
+  mesh.spacing = 1.0;
+  scan.view.mesh = std::make_shared<const ViewMesh>(mesh);
+  state.scans.push_back(scan);
+  ASSERT_EQ(warningsOf(state).size(), 1U);
+  EXPECT_TRUE(isSerious(warningsOf(state)[0]));
+  EXPECT_NE(describe(warningsOf(state)[0]).find("by hand, is doubtful and may be off by 4.2 mm"), std::string::npos);
+}
+
 TEST(Warnings, SayThatAnAcquisitionIsNotFinished) {
   AcquisitionState state = finishedState();
   state.termination = Termination::NoOverlap;
@@ -94,6 +112,28 @@ TEST(Warnings, HaveACodeAndWordsEach) {
   }
   EXPECT_EQ(names.size(), static_cast<std::size_t>(kLastWarningCode) + 1);
   EXPECT_EQ(texts.size(), names.size());
+}
+
+// The views of a table that says it turned by `said`, found as if it had turned by `found` [degrees].
+std::vector<WarningCode> codesOfTurn(double said, double found) {
+  AcquisitionState state = finishedState();
+  state.scans.push_back(scanWith(1, ScanStatus::In, Verdict::Doubtful));
+  state.scans[1].record.registration.finding = {VerdictReason::TableSlipped, said - found, {}};
+  const Pose start = Eigen::Translation3d(Vec3(300.0, 0.0, 100.0)) * Pose::Identity();
+  const double angles[][2] = {{0.0, 0.0}, {said, found}};
+  for (std::size_t i = 0; i < 2; ++i) {
+    RangeImage image;
+    image.T_table_scanner = Eigen::AngleAxisd(radians(angles[i][0]), Vec3::UnitZ()) * start;
+    state.scans[i].view.image = std::make_shared<const RangeImage>(std::move(image));
+    state.scans[i].view.T_object_scanner = Eigen::AngleAxisd(radians(angles[i][1]), Vec3::UnitZ()) * start;
+  }
+  return codes(state);
+}
+
+TEST(Warnings, ATableThatTurnsTheOtherWayIsSaid) {
+  EXPECT_EQ(codesOfTurn(40.0, -40.5), (std::vector{WarningCode::ScanDoubtful, WarningCode::TableTurnsBack}));
+  EXPECT_EQ(codesOfTurn(40.0, 28.0), (std::vector{WarningCode::ScanDoubtful}));
+  EXPECT_EQ(codesOfTurn(180.0, -180.0), (std::vector{WarningCode::ScanDoubtful}));
 }
 
 }  // namespace

@@ -18,6 +18,10 @@ class ScriptedTable final : public Turntable {
   [[nodiscard]] std::optional<std::string> notReady() const override { return {}; }
   [[nodiscard]] TableAngle turnTo(double degrees, const Progress& /*progress*/) override {
     commanded.push_back(degrees);
+    if (stopsAt) {
+      angle_ = TableAngle{*stopsAt, PoseSource::Reported};
+      throw DeviceError("scripted table: has stopped");
+    }
     angle_ = {degrees + off, PoseSource::Reported};
     return *angle_;
   }
@@ -26,6 +30,7 @@ class ScriptedTable final : public Turntable {
 
   std::vector<double> commanded;
   double off = 0.0;
+  std::optional<double> stopsAt;
 
  private:
   std::optional<TableAngle> angle_;
@@ -82,12 +87,61 @@ TEST(TurntablePositioner, TurnsOnceRoundForAScannerThatWaitsForAMove) {
 
 TEST(TurntablePositioner, GoesOnFromWhereTheTableWasLeft) {
   const auto table = std::make_shared<ScriptedTable>();
-  TurntablePositioner positioner(profileOf(36), table, {.standsAt = 9});
+  table->home({});
+  TurntablePositioner positioner(profileOf(36), table, {.stands = {.position = 9}});
   positioner.open({});
   const ReachedPose reached = positioner.moveTo(10, {});
   EXPECT_NEAR(table->commanded.back(), -10.0, 1e-9);
   EXPECT_EQ(reached.position, 10);
   EXPECT_TRUE(reached.T_table_scanner.isApprox(turntable(36).poses[10], 1e-12));
+}
+
+TEST(TurntablePositioner, TellsATableThatDoesNotKnowWhereItStandsAnglesFromPositionZero) {
+  const auto table = std::make_shared<ScriptedTable>();
+  TurntablePositioner positioner(profileOf(36), table, {.stands = {.position = 9}});
+  positioner.open({});
+  static_cast<void>(positioner.moveTo(10, {}));
+  EXPECT_NEAR(std::remainder(table->commanded.back() + 100.0, 360.0), 0.0, 1e-9);
+}
+
+// The poses stay those of the table's count: they say where a scan is expected after the one that showed the slip.
+TEST(TurntablePositioner, GoesToPositionsFromWhereAScanHasShownItToStand) {
+  const auto table = std::make_shared<ScriptedTable>();
+  table->home({});
+  TurntablePositioner positioner(profileOf(36), table);
+  positioner.open({});
+  static_cast<void>(positioner.moveTo(3, {}));
+  positioner.standsFarther(radians(20.0));
+  const ReachedPose there = positioner.moveTo(5, {});
+  EXPECT_NEAR(table->commanded.back(), -30.0, 1e-9);
+  EXPECT_TRUE(there.T_table_scanner.isApprox(turntable(36).poses[3], 1e-12));
+  EXPECT_EQ(there.position, 5);
+}
+
+TEST(TurntablePositioner, GoesOnFromWhereScansHaveShownTheTableToStand) {
+  const auto table = std::make_shared<ScriptedTable>();
+  table->home({});
+  TurntablePositioner positioner(profileOf(36), table,
+                                 {.stands = {.position = 9, .counted = radians(-20.0), .farther = radians(20.0)}});
+  positioner.open({});
+  const ReachedPose there = positioner.moveTo(10, {});
+  EXPECT_NEAR(table->commanded.back(), -10.0, 1e-9);
+  EXPECT_TRUE(there.T_table_scanner.isApprox(turntable(36).poses[8], 1e-12));
+}
+
+TEST(TurntablePositioner, SaysAfterAFailureWhereTheTableSaysItIs) {
+  const auto table = std::make_shared<ScriptedTable>();
+  table->home({});
+  TurntablePositioner positioner(profileOf(36), table, {.stands = {.position = 2}});
+  positioner.open({});
+  static_cast<void>(positioner.moveTo(3, {}));
+  table->stopsAt = -43.0;
+  EXPECT_THROW(static_cast<void>(positioner.moveTo(9, {})), DeviceError);
+  const auto here = positioner.where();
+  ASSERT_TRUE(here);
+  EXPECT_EQ(here->position, 6);
+  const Pose expected = Eigen::AngleAxisd(radians(63.0), Vec3::UnitZ()) * Pose::Identity();
+  EXPECT_TRUE(here->T_table_scanner.isApprox(expected, 1e-12));
 }
 
 TEST(TurntablePositioner, RefusesAPositionThatThereIsNot) {

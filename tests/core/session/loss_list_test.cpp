@@ -18,5 +18,19 @@ TEST(LossList, NamesEachLossOnceAndCountsWhatIsBeyondTheLimit) {
   EXPECT_EQ(all.back(), (Loss{LossKind::MoreDamaged, 7, "view", {}}));
 }
 
+TEST(LossList, NamesTheFirstOfManyNumbersAndCountsTheOthersAtOnce) {
+  LossList list;
+  std::int64_t asked = 0;
+  list.addEach(5, std::int64_t{1} << 40, [&](std::int64_t number) {
+    ++asked;
+    return Loss{LossKind::ScanDamaged, number, {}, {}};
+  });
+  const std::vector<Loss> all = list.all();
+  ASSERT_EQ(all.size(), static_cast<std::size_t>(kMostNamed) + 1);
+  EXPECT_EQ(all.front().number, 5);
+  EXPECT_EQ(all.back(), (Loss{LossKind::MoreDamaged, (std::int64_t{1} << 40) - 5 - kMostNamed, {}, {}}));
+  EXPECT_LE(asked, kMostNamed + 1);
+}
+
 }  // namespace
 }  // namespace vantage

@@ -156,6 +156,18 @@ TEST_F(Tamperings, SingleBitFlipsChangeNothingUnnoticed) {
   EXPECT_GT(named, kTries / 2);
 }
 
+TEST_F(Tamperings, AScanThatIsSaidToStandAnywhereIsNamed) {
+  const std::string good = bytesOf(path());
+  for (const char* sigmas : {"angle_sigma = 1e15, position_sigma = 1", "angle_sigma = -0.1, position_sigma = 1",
+                             "angle_sigma = 0.1, position_sigma = 1e6"}) {
+    static_cast<void>(folder_.write("test.vantage", good));
+    EXPECT_TRUE(isNamed([&](Database& database) {
+      database.run("UPDATE scan SET " + std::string(sigmas) + " WHERE id = 1");
+      addSums(database, "scan");
+    })) << sigmas;
+  }
+}
+
 TEST_F(Tamperings, ARangeImageThatClaimsToBeHugeIsRefusedWithoutUnpackingIt) {
   // A zstd frame of one block of zeros that says it holds 1 GiB.
   EXPECT_TRUE(isNamed([](Database& database) {

@@ -1,0 +1,91 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <QAbstractButton>
+#include <QApplication>
+#include <QDeadlineTimer>
+#include <QElapsedTimer>
+#include <QLineEdit>
+#include <QSpinBox>
+#include <QStandardPaths>
+#include <QTest>
+#include <QTimer>
+#include <algorithm>
+
+#include "main_window.h"
+
+namespace vantage::testing {
+
+inline constexpr int kPatience = 200000;  ///< [ms] for a whole acquisition on a busy machine
+
+/// Lets the window work until something holds. As a program does it sleeps until an event comes: QTest::qWaitFor naps
+/// between events, which a watchdog would take for a window that does not answer.
+template <typename Condition>
+bool waitFor(const Condition& holds) {
+  const QDeadlineTimer patience(kPatience);
+  QTimer look;
+  look.start(20);
+  while (!holds() && !patience.hasExpired()) QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
+  return holds();
+}
+
+/// The window as main makes it, and the hands of an operator.
+class Operator {
+ public:
+  Operator(const QString& folder, int views) {
+    window_.resize(1280, 800);
+    window_.show();
+    window_.findChild<QSpinBox*>("max_views")->setValue(views);
+    window_.findChild<QLineEdit*>("folder")->setText(folder);
+  }
+
+  // Clicks a button that is in sight and enabled.
+  void click(const char* name) {
+    for (auto* button : window_.findChildren<QAbstractButton*>(name)) {
+      if (!button->isVisible()) continue;
+      ASSERT_TRUE(waitFor([&] { return button->isEnabled(); })) << name;
+      QTest::mouseClick(button, Qt::LeftButton);
+      ++clicks_;
+      return;
+    }
+    FAIL() << "no button " << name << " in sight";
+  }
+
+  [[nodiscard]] bool waitForPage(const char* key) {
+    return waitFor([&] { return window_.wizard().page().key() == key; });
+  }
+  [[nodiscard]] bool waitUntilIdle() {
+    return waitFor([&] { return controller_.idle(); });
+  }
+
+  [[nodiscard]] int clicks() const { return clicks_; }
+  SessionController& controller() { return controller_; }
+  MainWindow& window() { return window_; }
+
+ private:
+  ThreadedJobRunner jobs_{machineThreads()};
+  SessionController controller_{jobs_, QStandardPaths::writableLocation(QStandardPaths::CacheLocation).toStdString()};
+  MainWindow window_{{controller_, jobs_, glSurfaces(), QStringLiteral(VANTAGE_RESOURCES)}, Preferences{}};
+  int clicks_ = 0;
+};
+
+/// Measures the longest time that the event loop did not come round.
+class Watchdog {
+ public:
+  Watchdog() {
+    timer_.setInterval(5);
+    timer_.setTimerType(Qt::PreciseTimer);
+    QObject::connect(&timer_, &QTimer::timeout, [this] { longest_ = std::max(longest_, clock_.restart()); });
+    clock_.start();
+    timer_.start();
+  }
+  [[nodiscard]] qint64 longest() const { return longest_; }
+
+ private:
+  QTimer timer_;
+  QElapsedTimer clock_;
+  qint64 longest_ = 0;
+};
+
+}  // namespace vantage::testing
