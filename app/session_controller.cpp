@@ -231,7 +231,10 @@ void SessionController::scanInBackground(bool untilTheEnd) {
         const auto left = isNew ? std::nullopt : tableLeft(*session);
         RigKeeper::Use use =
             devices->open(setUp, isNew ? 0 : session->scanCount(), left ? left->stand : TableStand{}, progress);
-        if (isNew) session = createSession(*setUp);
+        if (isNew)
+          session = createSession(*setUp);
+        else if (std::holds_alternative<RealDevices>(*setUp->devices))
+          rememberDevices(*session, *setUp);
         Rig rig = use.rig();
         if (std::holds_alternative<RealDevices>(*setUp->devices)) rig = remarked(rig, *session);
         Acquisition acquisition(*session, {rig, setUp->images}, publisher(session));

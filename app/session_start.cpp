@@ -35,6 +35,11 @@ std::string freeSessionName(const std::string& folder) {
   return path.string();
 }
 
+void rememberDevices(Session& session, const SetUp& setUp) {
+  const std::string text = rigFileText({setUp.choice.rig, {}});
+  if (session.note(kRigNote) != text) session.setNote(kRigNote, text);
+}
+
 std::shared_ptr<Session> createSession(const SetUp& setUp) {
   std::error_code error;
   fs::create_directories(setUp.choice.folder, error);
@@ -42,7 +47,7 @@ std::shared_ptr<Session> createSession(const SetUp& setUp) {
   const Mesh* object = setUp.object ? setUp.object->mesh.get() : nullptr;
   auto session = std::make_shared<Session>(Session::create(
       freeSessionName(setUp.choice.folder), {setUp.source, setUp.choice.settings, object, setUp.profile}));
-  session->setNote(kRigNote, rigFileText({setUp.choice.rig, {}}));
+  rememberDevices(*session, setUp);
   return session;
 }
 

@@ -16,6 +16,9 @@ namespace vantage {
 /// @throws IoError
 [[nodiscard]] std::shared_ptr<Session> createSession(const SetUp& setUp);
 
+/// Keeps in the session what it is scanned with from now on. @throws IoError
+void rememberDevices(Session& session, const SetUp& setUp);
+
 /// Opens a session for writing with the set-up that it was begun with.
 /// @throws IoError, InvalidInput, Cancelled
 struct OpenedSession {

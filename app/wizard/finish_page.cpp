@@ -5,6 +5,7 @@
 #include <QVBoxLayout>
 
 #include "form_parts.h"
+#include "integration/colouring.h"
 
 namespace vantage {
 
@@ -81,7 +82,11 @@ void FinishPage::leaving() {
 void FinishPage::refresh() {
   const QString whyNot = controller().permissions().whyNotExport();
   for (QPushButton* button : exports_) allow(*button, whyNot);
-  place_->setText(tr("Into %1").arg(QDir::toNativeSeparators(inFolder({}))));
+  const SharedState& now = controller().now();
+  const bool coloured = now && haveColours(viewsOf(*now));
+  place_->setText(
+      tr("Into %1").arg(QDir::toNativeSeparators(inFolder({}))) +
+      (coloured ? QStringLiteral("\n") + tr("The scans have colours: PLY and OBJ keep them, STL cannot.") : QString()));
   emit changed();
 }
 
