@@ -1,5 +1,10 @@
 #include <gtest/gtest.h>
 
+#include <memory>
+#include <regex>
+#include <utility>
+#include <vector>
+
 #include "acquisition/steps.h"
 #include "acquisition/test_turn.h"
 #include "report/evaluation.h"
@@ -22,9 +27,19 @@ AcquisitionSettings realSettings() {
   return settings;
 }
 
-AcquisitionState scanned(const Mesh& object, const AcquisitionSettings& settings, const std::vector<int>& positions) {
+// The small scanner with twice the rows and columns: what is left of every 2nd are the small scanner's.
+std::shared_ptr<const ScannerProfile> finerProfile() {
+  ProfileSource source = testing::smallProfileSource();
+  source.text =
+      std::regex_replace(source.text, std::regex("\"samples_per_stripe\": 61"), "\"samples_per_stripe\": 121");
+  source.text = std::regex_replace(source.text, std::regex("\"stripes\": 81"), "\"stripes\": 161");
+  return std::make_shared<const ScannerProfile>(parseProfile(source));
+}
+
+AcquisitionState scanned(const Mesh& object, const AcquisitionSettings& settings, const std::vector<int>& positions,
+                         std::shared_ptr<const ScannerProfile> profile = testing::smallProfile()) {
   AcquisitionState state;
-  state.profile = testing::smallProfile();
+  state.profile = std::move(profile);
   state.settings = settings;
   const Rig rig = testing::simulation(object, state.profile, {1, true});
   for (const int position : positions) {
@@ -91,12 +106,15 @@ TEST(CutScan, TheReportSaysWhatOfAThinnedScanIsWorkedOn) {
 }
 
 TEST(CutScan, AThinnedModelIsAsTrueAsItsSpacing) {
+  const std::vector<int> positions{0, 2, 4, 6};
   AcquisitionSettings settings;
-  const AcquisitionState whole = scanned(testing::smallObject(), settings, {0});
+  const AcquisitionState whole = scanned(testing::smallObject(), settings, positions, finerProfile());
   const double spacing = whole.scans[0].view.mesh->spacing;
   settings.thinning.spacing = 2.9 * spacing;
-  const AcquisitionState thinned = scanned(testing::smallObject(), settings, {0});
-  ASSERT_EQ(countScans(thinned, ScanStatus::In), countScans(whole, ScanStatus::In));
+  const AcquisitionState thinned = scanned(testing::smallObject(), settings, positions, finerProfile());
+  ASSERT_EQ(countScans(whole, ScanStatus::In), positions.size());
+  ASSERT_EQ(countScans(thinned, ScanStatus::In), positions.size());
+  for (const KeptScan& scan : thinned.scans) EXPECT_EQ(scan.record.everyNth, 2);
   const auto judged = [&](const AcquisitionState& state) {
     return evaluate(state.model->mesh, testing::smallObject(), *state.profile, {}, {});
   };

@@ -202,7 +202,7 @@ TEST(ScanReader, TakesOffAnOffsetFarFromTheOriginOnceForAllScans) {
 
 TEST(ScanReader, FindsRowsAndColumnsExchanged) {
   SeenGrid grid = seenBy(kForward, 20.0);
-  const auto scans = read({plyOf(grid, {1.0, {}, {}, true, true})});
+  const auto scans = read({plyOf(grid, {1.0, {}, Vec3::Zero(), true, true})});
   EXPECT_TRUE(scans[0].reading.exchanged);
   EXPECT_EQ(scans[0].image.rays->rows(), 60);
   expectSeen(scans[0], grid, Vec3::UnitZ());
