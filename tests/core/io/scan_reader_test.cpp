@@ -159,7 +159,7 @@ TEST(ScanReader, AsksForAUnitThatTheNumbersDoNotTell) {
   const auto scans = read({plyOf(grid, {1.0 / 25.4})}, options);
   EXPECT_EQ(scans[0].reading.unitKnownBy, KnownBy::Operator);
   expectSeen(scans[0], grid, -Vec3::UnitZ());
-  const auto said = read({plyOf(grid, {0.05, {}, {}, true, false, "obj_info unit_mm 2\n"})});
+  const auto said = read({plyOf(grid, {0.05, {}, Vec3::Zero(), true, false, "obj_info unit_mm 2\n"})});
   EXPECT_EQ(said[0].reading.unit, 2.0);
   EXPECT_EQ(said[0].reading.unitKnownBy, KnownBy::File);
 }
