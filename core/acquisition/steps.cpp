@@ -9,6 +9,7 @@
 #include "base/errors.h"
 #include "geometry/measures.h"
 #include "integration/zipper.h"
+#include "registration/prepared_refinement.h"
 #include "registration/registration_scale.h"
 
 namespace vantage {

@@ -24,10 +24,6 @@ struct PreparedView {
 /// @throws Cancelled
 [[nodiscard]] std::vector<PreparedView> prepareViews(std::span<const View> views, const Progress& progress);
 
-/// refineViews of views that are prepared already, one each. @throws as refineViews
-[[nodiscard]] MultiViewResult refinePrepared(std::span<const View> views, std::span<const PreparedView> prepared,
-                                             const MultiViewOptions& options, const Progress& progress);
-
 /// Two views that overlap: points of one are looked up on the other.
 struct ViewLink {
   std::size_t from = 0;
