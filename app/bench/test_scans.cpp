@@ -8,9 +8,9 @@
 namespace vantage {
 namespace {
 
-TestScan cutScan(const std::shared_ptr<const RangeImage>& image, const SetUp& setUp) {
+TestScan cutScan(const std::shared_ptr<const RangeImage>& image, const SetUp& setUp, const Progress& progress) {
   TestScan scan{image, setUp.choice.settings.cut, {}, {}};
-  const std::vector<CutReason> reasons = cutOf(*image, {cutSceneOf(*setUp.profile), scan.cut});
+  const std::vector<CutReason> reasons = cutOf(*image, {cutSceneOf(*setUp.profile), scan.cut}, progress);
   scan.counts = countsOf(reasons);
   scan.picture = cutPicture(*image, reasons);
   return scan;
@@ -73,11 +73,11 @@ void TestScans::scan() {
   work_.begin<TestScan>(
       Activity::Testing, tr("Test scan"),
       [setUp = setUp_, devices = devices_](const Progress& p) {
-        const auto image =
-            withRig<std::shared_ptr<const RangeImage>>(setUp, *devices, p, [&](const Rig& rig, const Progress& inner) {
+        const auto image = withRig<std::shared_ptr<const RangeImage>>(
+            setUp, *devices, p.part(0.0, 0.9), [&](const Rig& rig, const Progress& inner) {
               return std::make_shared<const RangeImage>(scanFrom(rig, setUp->choice.settings.firstView, inner));
             });
-        return cutScan(image, *setUp);
+        return cutScan(image, *setUp, p.part(0.9, 1.0));
       },
       [this](TestScan result) {
         scan_ = std::move(result);
@@ -91,7 +91,7 @@ void TestScans::cutAnew() {
   if (!scan_ || cutting_ || scan_->cut == setUp_->choice.settings.cut) return;
   cutting_ = true;
   jobs_.run<TestScan>(
-      {}, [image = scan_->image, setUp = setUp_](const Progress&) { return cutScan(image, *setUp); },
+      {}, [image = scan_->image, setUp = setUp_](const Progress& p) { return cutScan(image, *setUp, p); },
       [this](JobResult<TestScan> result) {
         cutting_ = false;
         if (!result.value || !scan_ || scan_->image != result.value->image) return;

@@ -72,8 +72,8 @@ void run(const AcquireArguments& given, CommandContext& context) {
   if (!args.replace) results.mustBeNew();
   results.mustBeReplaceable({args.object, file.rig.scanner});
   const ProfileSource source = profileOf(file.rig);
+  tellMemoryNeeded(source, args.settings, context);
   const auto profile = std::make_shared<const ScannerProfile>(parseProfile(source));
-  tellMemoryNeeded(*profile, context);
   checkArguments(args, simulated, *profile);
   std::shared_ptr<const Mesh> object;
   if (simulated) object = std::make_shared<const Mesh>(placeObject(args, *profile, context));

@@ -41,8 +41,8 @@ void AcquisitionResults::write(const AcquisitionState& state, const nlohmann::or
   writeTextFile(file(kReport), report.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
   if (!state.model) return;
   const VertexColours colours = coloursOf(state, progress.part(0.0, 0.5));
-  for (const char* name : kModels)
-    exportModel(*state.model, file(name), progress.part(0.5, 1.0), Vec3::Zero(), colours);
+  exportModel(*state.model, file(kModels[0]), progress.part(0.5, 0.75), Vec3::Zero(), colours);
+  exportModel(*state.model, file(kModels[1]), progress.part(0.75, 1.0), Vec3::Zero(), colours);
 }
 
 }  // namespace vantage

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "acquisition/acquisition_state.h"
+#include "base/progress.h"
 
 namespace vantage {
 

@@ -7,6 +7,7 @@
 #include "cli/import_result.h"
 #include "cli/new_session.h"
 #include "cli/reading_arguments.h"
+#include "cli/session_run.h"
 #include "cli/settings_arguments.h"
 #include "io/recorded_scans.h"
 #include "session/import_note.h"
@@ -56,6 +57,7 @@ void run(const ImportArguments& args, CommandContext& context) {
   std::shared_ptr<const ScannerProfile> profile;
   if (args.scanner != "generic") {
     source = readProfileSource(args.scanner);
+    tellMemoryNeeded(*source, args.given.applied({}), context);
     profile = std::make_shared<const ScannerProfile>(parseProfile(*source));
   }
   const Progress progress = context.progress();

@@ -20,6 +20,7 @@ nlohmann::ordered_json scanJson(const KeptScan& scan, const std::string& label) 
                               {"reason_code", name(registration.finding.reason)},
                               {"rms_mm", registration.rms},
                               {"inliers", registration.inlierShare}};
+  if (scan.record.everyNth > 1) json["worked_on"] = {{"every_nth_row_and_column", scan.record.everyNth}};
   if (scan.record.reading) json["reading"] = readingJson(*scan.record.reading);
   return json;
 }
@@ -51,6 +52,13 @@ void announceImport(const ImportNames& names, const AcquisitionState& state, Com
   for (const auto& scan : json["scans"])
     text += scan["file"].get<std::string>() + ": " + scan["verdict"].get<std::string>() + ", " +
             number(scan["rms_mm"].get<double>(), 3) + " mm, " + scan["reason"].get<std::string>() + "\n";
+  for (const KeptScan& scan : state.scans) {
+    if (scan.record.everyNth <= 1) continue;
+    text += "worked on: " + thinningText(scan.record.everyNth) +
+            " of scans with very many rays; the session has them " +
+            "whole (all are worked on with --set triangulation.spacing=0)\n";
+    break;
+  }
   if (json.contains("pose_list"))
     text += "pose list: " + json["pose_list"]["reason"].get<std::string>() +
             "; correct the list and import again to be sure of every scan\n";

@@ -2,6 +2,9 @@
 #include <exception>
 #include <iostream>
 #include <new>
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 
 #include "base/errors.h"
 #include "cli/command.h"
@@ -66,6 +69,10 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+#ifdef __GLIBC__
+  // Grids, meshes and models go back to the system when they are freed: kept for later they fit nothing.
+  mallopt(M_MMAP_THRESHOLD, 1 << 20);
+#endif
   try {
     return run(argc, argv);
   } catch (...) {

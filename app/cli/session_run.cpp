@@ -13,10 +13,18 @@
 #include "positional_space/scanner_images_cache.h"
 #include "report/report.h"
 #include "report/wording.h"
+#include "scanner/profile_size.h"
 #include "session/table_note.h"
 
 namespace vantage {
 namespace {
+
+// Triangles of a model that is written while somebody waits for the program to end.
+constexpr std::size_t kWrittenAtOnce = 500'000;
+
+bool takesLong(const AcquisitionState& state) {
+  return state.model && state.model->mesh.triangles.size() > kWrittenAtOnce;
+}
 
 std::string positionText(const KeptScan& scan) {
   return scan.station().position ? std::to_string(*scan.station().position) : "none";
@@ -26,8 +34,9 @@ std::string viewLine(const AcquisitionState& state, const KeptScan& scan) {
   const ScanRecord& record = scan.record;
   const std::size_t views = countScans(state, ScanStatus::In);
   std::string line = "view " + std::to_string(views) + " at position " + positionText(scan) + ": " +
-                     std::to_string(record.samples) + " samples, +" + number(record.newArea, 0) +
-                     " mm2, registration " + std::string(name(record.registration.verdict));
+                     std::to_string(record.samples) + " samples" +
+                     (record.everyNth > 1 ? " (" + thinningText(record.everyNth) + " worked on)" : "") + ", +" +
+                     number(record.newArea, 0) + " mm2, registration " + std::string(name(record.registration.verdict));
   if (views > 1) line += " (" + number(record.registration.rms, 3) + " mm)";
   if (record.planAfter && record.planAfter->outcome == PlanOutcome::Found)
     line += ", next " + std::to_string(record.planAfter->position.value()) + " for " +
@@ -98,7 +107,7 @@ void SessionRun::run(const DeviceSetUp& devices, PersonAtTable* person) {
     cancelled.termination = Termination::Cancelled;
     last_ = std::make_shared<const AcquisitionState>(std::move(cancelled));
     // Without a scan nothing is left, and the same command may come again.
-    if (session_.scanCount() > 0) writeResults();
+    if (session_.scanCount() > 0) writeStopped();
     throw;
   }
   writeResults();
@@ -148,10 +157,19 @@ void SessionRun::acquireAll(const DeviceSetUp& devices, PersonAtTable* person) {
   if (person != nullptr) person->tell({{"event", "done"}, {"terminated_by", name(last_->termination)}});
 }
 
+void SessionRun::writeStopped() {
+  if (!takesLong(*last_)) return writeResults();
+  context_.note("the model has " + std::to_string(last_->model->mesh.triangles.size()) +
+                " triangles and is in the session only: vantage-cli export and report write it from there");
+}
+
 void SessionRun::writeResults() {
+  // Whatever stopped the run: what it came to is written, unless that takes long.
+  const Progress progress = takesLong(*last_) ? context_.progress().part(0.0, 1.0, "writing the results")
+                                              : Progress({}, {}, context_.progress().threads());
+  progress.checkpoint(0.0);
   report_ = makeReport(*last_, VANTAGE_VERSION);
-  // Whatever stopped the run: what it came to is written.
-  results_.write(*last_, report_, Progress({}, {}, context_.progress().threads()));
+  results_.write(*last_, report_, progress.part(0.3, 1.0));
 }
 
 void SessionRun::announce() {
@@ -168,14 +186,18 @@ void SessionRun::announce() {
   context_.result(report_, text, warningsOf(*last_));
 }
 
-void tellMemoryNeeded(const ScannerProfile& profile, CommandContext& context) {
-  // Measured at the peak, with 9 million rays.
-  constexpr double kBytesPerRay = 170.0;
+void tellMemoryNeeded(const ProfileSource& source, const AcquisitionSettings& settings, CommandContext& context) {
   constexpr double kWorthSaying = 300.0;  // [MB]
-  const auto rays = static_cast<double>(profile.rays->size());
-  if (const double megabytes = rays * kBytesPerRay / 1e6; megabytes > kWorthSaying)
-    context.note("the scanner has " + number(rays / 1e6, 1) + " million rays: this takes about " +
-                 number(megabytes / 1e3, 1) + " GB of memory, and every step some time");
+  const std::size_t rays = raysSaidBy(source);
+  const MemoryNeeded needed = memoryFor(rays, settings.thinning);
+  if (needed.megabytes <= kWorthSaying) return;
+  std::string text = "the scanner has " + number(static_cast<double>(rays) / 1e6, 1) +
+                     " million rays: this takes about " + number(needed.megabytes / 1e3, 1) + " GB of memory, about " +
+                     number(needed.everyScan / 1e3, 1) + " GB more with every scan, and every step some time";
+  if (needed.worked < rays)
+    text += "; of every scan about " + number(static_cast<double>(needed.worked) / 1e6, 1) +
+            " million samples are worked on, the session keeps all (--set triangulation.spacing=0 works on all)";
+  context.note(text);
 }
 
 }  // namespace vantage

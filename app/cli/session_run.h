@@ -12,7 +12,7 @@
 namespace vantage {
 
 /// A run of a session by itself: says what every scan brought, writes report.json, model.ply and model.stl at the end,
-/// also when it is cancelled.
+/// also when it is cancelled, unless the model is so large that this would take its time.
 class SessionRun {
  public:
   /// @param out folder for the results, which exists; what is there may be replaced. All must outlive it.
@@ -26,6 +26,7 @@ class SessionRun {
   void acquireAll(const DeviceSetUp& devices, PersonAtTable* person);
   void tellLast(PersonAtTable* person);
   void writeResults();
+  void writeStopped();
   void announce();
 
   Session& session_;
@@ -43,6 +44,6 @@ class SessionRun {
 void changeSettings(Session& session, const AcquisitionSettings& settings, CommandContext& context);
 
 /// Says how much memory a scanner of very many rays takes before any of the work on it begins.
-void tellMemoryNeeded(const ScannerProfile& profile, CommandContext& context);
+void tellMemoryNeeded(const ProfileSource& source, const AcquisitionSettings& settings, CommandContext& context);
 
 }  // namespace vantage

@@ -9,6 +9,7 @@
 #include "registration/registration_scale.h"
 #include "registration/registration_target.h"
 #include "registration/scan_set.h"
+#include "registration/view_network.h"
 
 namespace vantage {
 namespace {
@@ -145,7 +146,8 @@ bool settleLooseViews(AcquisitionState& state, const StepOptions& options, const
     views.push_back(scan.view);
     if (found) views.back().T_object_scanner = found->T_object_scanner;
     const bool isGood = found && found->verdict == Verdict::Good;
-    const auto contradiction = contradictionOfLast(views, !isGood, options.registration, progress);
+    const auto contradiction =
+        contradictionOfLast(views, prepareViews(views, progress), !isGood, options.registration, progress);
     if (contradiction) {
       scan.status = ScanStatus::Rejected;
       scan.record.registration.verdict = Verdict::Failed;

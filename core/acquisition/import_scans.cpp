@@ -15,8 +15,10 @@ std::vector<KeptScan> keptScans(const std::vector<NumberedScan>& scans, const Im
                                 const Progress& progress) {
   std::vector<KeptScan> kept;
   for (const NumberedScan& scan : scans) {
-    progress.checkpoint(static_cast<double>(kept.size()) / static_cast<double>(scans.size()));
-    kept.push_back(keepAsView(scan, options.cut, options.triangulation));
+    const double done = static_cast<double>(kept.size()) / static_cast<double>(scans.size());
+    const double then = static_cast<double>(kept.size() + 1) / static_cast<double>(scans.size());
+    kept.push_back(keepAsView(scan, {options.cut, options.thinning}, options.triangulation, raysOfLast(kept),
+                              progress.part(done, then)));
   }
   return kept;
 }

@@ -18,15 +18,22 @@ std::string_view name(ScanStatus status) {
   return "waiting";
 }
 
-KeptScan keepAsView(const NumberedScan& scan, const ScanCut& cut, const TriangulationOptions& triangulation) {
-  CutImage image = cutImage(scan.image, cut);
+std::shared_ptr<const RayGrid> raysOfLast(const std::vector<KeptScan>& scans) {
+  return scans.empty() ? nullptr : scans.back().view.image->rays;
+}
+
+KeptScan keepAsView(const NumberedScan& scan, const ScanUse& use, const TriangulationOptions& triangulation,
+                    const std::shared_ptr<const RayGrid>& like, const Progress& progress) {
+  UsedImage used = usedImage(scan.image, use, like, progress.part(0.0, 0.5));
   KeptScan kept;
   kept.number = scan.number;
-  kept.view.image = std::move(image.image);
-  kept.view.mesh = std::make_shared<const ViewMesh>(triangulate(*kept.view.image, triangulation));
+  kept.view.image = std::move(used.image);
+  kept.view.mesh =
+      std::make_shared<const ViewMesh>(triangulate(*kept.view.image, triangulation, progress.part(0.5, 1.0)));
   kept.view.T_object_scanner = kept.view.image->T_table_scanner;
-  kept.record.cut = image.counts;
-  kept.record.samples = kept.view.image->sampleCount();
+  kept.record.cut = used.cut;
+  kept.record.samples = used.samples;
+  kept.record.everyNth = used.everyNth;
   kept.record.triangles = kept.view.mesh->mesh.triangles.size();
   return kept;
 }

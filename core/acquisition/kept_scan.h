@@ -4,12 +4,13 @@
 #include <memory>
 #include <optional>
 #include <string_view>
+#include <vector>
 
 #include "acquisition/phase_times.h"
 #include "planning/plan.h"
 #include "registration/icp.h"
-#include "scanner/scan_cut.h"
 #include "scanner/scan_reading.h"
+#include "scanner/scan_use.h"
 #include "scanner/triangulation.h"
 
 namespace vantage {
@@ -27,7 +28,8 @@ inline constexpr ScanStatus kLastScanStatus = ScanStatus::Waiting;
 
 /// What one scan brought.
 struct ScanRecord {
-  std::size_t samples = 0;                 ///< that are used
+  std::size_t samples = 0;                 ///< of the scan as it came, that were not cut
+  int everyNth = 1;                        ///< row and column of it is worked on
   CutCounts cut{};                         ///< why rays give none; all 0 where nothing is ever cut
   std::size_t triangles = 0;               ///< of the scan's own mesh
   std::optional<PositionScore> predicted;  ///< by the plan that chose it
@@ -43,8 +45,8 @@ struct ScanRecord {
 struct KeptScan {
   std::int64_t number = 0;  ///< in its session: commands name a scan by it
   ScanStatus status = ScanStatus::In;
-  /// The image without what was cut and, for views and what was left out, its mesh and its place. Of other scans the
-  /// mesh is null and the place what was expected. The journal has the image as it came.
+  /// The image without what was cut and thinned out and, for views and what was left out, its mesh and its place. Of
+  /// other scans the mesh is null and the place what was expected. The journal has the image as it came.
   View view;
   ScanRecord record;
 
@@ -57,8 +59,14 @@ struct NumberedScan {
   std::shared_ptr<const RangeImage> image;
 };
 
-/// A scan that is about to become a view: cut and triangulated, where it was reached.
-[[nodiscard]] KeptScan keepAsView(const NumberedScan& scan, const ScanCut& cut,
-                                  const TriangulationOptions& triangulation);
+/// What the rays of a further scan may be shared with; null without scans.
+[[nodiscard]] std::shared_ptr<const RayGrid> raysOfLast(const std::vector<KeptScan>& scans);
+
+/// A scan that is about to become a view: cut, thinned and triangulated, where it was reached.
+/// @param like rays that are shared where they are the same; may be null
+/// @throws InvalidInput for a range image that is not one; Cancelled
+[[nodiscard]] KeptScan keepAsView(const NumberedScan& scan, const ScanUse& use,
+                                  const TriangulationOptions& triangulation,
+                                  const std::shared_ptr<const RayGrid>& like = nullptr, const Progress& progress = {});
 
 }  // namespace vantage

@@ -80,8 +80,8 @@ void placeByTable(const KeptScan& scan, const StepOptions& options, Registration
   found.finding = {VerdictReason::TableAlone, static_cast<double>(found.pairs), {}};
 }
 
-void checkAgainstOthers(const AcquisitionState& state, KeptScan& scan, const StepOptions& options,
-                        const Progress& progress);
+std::vector<PreparedView> checkAgainstOthers(const AcquisitionState& state, KeptScan& scan, const StepOptions& options,
+                                             const Progress& progress);
 
 // A table that slipped, or was pushed, brought the scan elsewhere: it counts there, but nothing is good about it.
 bool placeWhereSlipped(const AcquisitionState& state, KeptScan& scan, const FittingPose& fits,
@@ -93,7 +93,7 @@ bool placeWhereSlipped(const AcquisitionState& state, KeptScan& scan, const Fitt
   there.record.registration.verdict = Verdict::Doubtful;
   there.record.registration.finding = {
       VerdictReason::TableSlipped, slipOf(scan.view.T_object_scanner, fits.registration.T_object_scanner), {}};
-  checkAgainstOthers(state, there, options, progress);
+  static_cast<void>(checkAgainstOthers(state, there, options, progress));
   if (there.record.registration.verdict == Verdict::Failed) return false;
   scan.record.registration = there.record.registration;
   return true;
@@ -111,18 +111,22 @@ void explainFailure(const AcquisitionState& state, KeptScan& scan, const StepOpt
 }
 
 // A scan that fits the model may still contradict what the views have looked through, or show emptiness where they saw
-// surface.
-void checkAgainstOthers(const AcquisitionState& state, KeptScan& scan, const StepOptions& options,
-                        const Progress& progress) {
+// surface. @return all views that the scan was held against and the scan, prepared; none where it is alone
+std::vector<PreparedView> checkAgainstOthers(const AcquisitionState& state, KeptScan& scan, const StepOptions& options,
+                                             const Progress& progress) {
   const bool isDoubtful = scan.record.registration.verdict == Verdict::Doubtful;
   // What is good fears no views of which nobody knows where they are.
   std::vector<View> views = isDoubtful ? viewsOf(state) : firmViews(state);
   views.push_back(scan.view);
   views.back().T_object_scanner = scan.record.registration.T_object_scanner;
-  const auto contradiction = contradictionOfLast(views, isDoubtful, options.registration, progress);
-  if (!contradiction) return;
+  if (views.size() < 2) return {};
+  std::vector<PreparedView> prepared = prepareViews(views, progress.part(0.0, 0.7));
+  const auto contradiction =
+      contradictionOfLast(views, prepared, isDoubtful, options.registration, progress.part(0.7, 1.0));
+  if (!contradiction) return prepared;
   scan.record.registration.verdict = Verdict::Failed;
   scan.record.registration.finding = {VerdictReason::ContradictsOthers, *contradiction, {}};
+  return prepared;
 }
 
 }  // namespace
@@ -143,19 +147,24 @@ Pose expectedPose(const AcquisitionState& state, const RangeImage& image) {
   return last->view.T_object_scanner * last->view.image->T_table_scanner.inverse() * image.T_table_scanner;
 }
 
-bool findPlace(const AcquisitionState& state, KeptScan& scan, const StepOptions& options, const Progress& progress) {
+FoundPlace findPlace(const AcquisitionState& state, KeptScan& scan, const StepOptions& options,
+                     const Progress& progress) {
   scan.view.T_object_scanner = expectedPose(state, *scan.view.image);
   scan.record.registration = registerWithModel(state, scan, options, progress.part(0.0, 0.6));
-  const Progress checking = progress.part(0.6, 0.7);
+  const Progress checking = progress.part(0.6, 1.0);
+  FoundPlace place;
   if (scan.record.registration.verdict == Verdict::Failed)
     explainFailure(state, scan, options, checking);
   else
-    checkAgainstOthers(state, scan, options, checking);
-  const bool found = scan.record.registration.verdict != Verdict::Failed;
-  scan.status = found ? ScanStatus::In : ScanStatus::Rejected;
-  if (found) scan.view.T_object_scanner = scan.record.registration.T_object_scanner;
-  if (!found) scan.view.mesh = nullptr;
-  return found;
+    place.prepared = checkAgainstOthers(state, scan, options, checking);
+  place.found = scan.record.registration.verdict != Verdict::Failed;
+  scan.status = place.found ? ScanStatus::In : ScanStatus::Rejected;
+  if (place.found) scan.view.T_object_scanner = scan.record.registration.T_object_scanner;
+  if (!place.found) {
+    place.prepared.clear();
+    scan.view.mesh = nullptr;
+  }
+  return place;
 }
 
 }  // namespace vantage

@@ -26,10 +26,19 @@ constexpr std::array<Ascending, 10> kAscending{{{"registration.final_gate", "reg
                                                 {"refinement.coarse_points", "refinement.fine_points"}}};
 
 // Settings that an acquisition keeps once it has scans.
-constexpr std::array<std::string_view, 12> kLasting{
-    "simulation.object", "simulation.placement", "simulation.unit",           "cut.volume",
-    "cut.table_margin",  "cut.radius_margin",    "cut.flying_pixels",         "cut.flying_jump",
-    "cut.isolated",      "cut.smallest_island",  "triangulation.angle_slack", "triangulation.discontinuity_factor"};
+constexpr std::array<std::string_view, 13> kLasting{"simulation.object",
+                                                    "simulation.placement",
+                                                    "simulation.unit",
+                                                    "cut.volume",
+                                                    "cut.table_margin",
+                                                    "cut.radius_margin",
+                                                    "cut.flying_pixels",
+                                                    "cut.flying_jump",
+                                                    "cut.isolated",
+                                                    "cut.smallest_island",
+                                                    "triangulation.spacing",
+                                                    "triangulation.angle_slack",
+                                                    "triangulation.discontinuity_factor"};
 
 // Nothing for what is left to the program.
 std::optional<double> magnitudeOf(const SettingValue& value) {

@@ -13,6 +13,7 @@
 #include "registration/icp.h"
 #include "registration/multi_view.h"
 #include "scanner/scan_cut.h"
+#include "scanner/thinning.h"
 #include "scanner/triangulation.h"
 
 namespace vantage {
@@ -45,6 +46,7 @@ struct AcquisitionSettings {
   int firstView = 0;
   int maxViews = 40;
   CutOptions cut;  ///< off: real scanners see more than the object, see cutForRealScanners
+  ThinningOptions thinning;
   TriangulationOptions triangulation;
   IcpOptions registration;
   MultiViewOptions refinement;
@@ -63,7 +65,7 @@ struct AcquisitionSettings {
 void checkSettings(const AcquisitionSettings& settings);
 
 /// Whether an acquisition that has scans can go on with other settings: its object stays, and so does how scans are
-/// cut and triangulated, which is done anew whenever a session is opened.
+/// cut, thinned and triangulated, which is done anew whenever a session is opened.
 [[nodiscard]] bool mayFollow(const AcquisitionSettings& before, const AcquisitionSettings& after);
 /// @throws InvalidInput that names the setting that cannot change
 void checkChange(const AcquisitionSettings& before, const AcquisitionSettings& after);

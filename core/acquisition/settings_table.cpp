@@ -11,6 +11,7 @@ using namespace setting_member;
 using Settings = AcquisitionSettings;
 using Simulation = SimulationSettings;
 using Cut = CutOptions;
+using Thinning = ThinningOptions;
 using Triangulation = TriangulationOptions;
 using Icp = IcpOptions;
 using Limits = VerdictLimits;
@@ -187,6 +188,10 @@ std::vector<SettingField> cutFields() {
 
 std::vector<SettingField> registrationFields() {
   return {
+      number<&Settings::thinning, &Thinning::spacing>(
+          Basic, "triangulation.spacing", "Spacing worked with", "mm", 0, 1000, "0",
+          "Samples nearer to each other than this are thinned by whole rows and columns, in what is worked on and not "
+          "in what is kept; 0: none are; auto: those of a scanner with more than 1.5 million rays."),
       number<&Settings::triangulation, &Triangulation::angleSlack>(
           Expert, "triangulation.angle_slack", "Slack of the breakdown angle", "deg", 0, 45, "auto",
           "How much farther than the breakdown angle noise may tilt a single triangle."),

@@ -9,6 +9,7 @@ constexpr double kRecordedAngleSlack = radians(5.0);
 StepOptions withBreakdownAngle(const AcquisitionSettings& settings, double breakdownAngle) {
   StepOptions options{{},
                       {{{}, breakdownAngle, 0.0}, settings.cut},
+                      settings.thinning,
                       settings.triangulation,
                       settings.registration,
                       settings.refinement,
@@ -43,8 +44,13 @@ ImportOptions importOptionsFor(const AcquisitionState& state) {
   StepOptions step = stepOptionsFor(state);
   // All scans are there.
   step.zipper.mend = state.settings.zipper.mend;
-  return {step.cut,    step.triangulation, {step.registration, step.refinement, state.settings.alignment},
-          step.zipper, step.consensus,     step.planner.voidSpace};
+  return {step.cut,
+          step.thinning,
+          step.triangulation,
+          {step.registration, step.refinement, state.settings.alignment},
+          step.zipper,
+          step.consensus,
+          step.planner.voidSpace};
 }
 
 }  // namespace vantage

@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "acquisition/acquisition_state.h"
-#include "scanner/scan_cut.h"
+#include "scanner/scan_use.h"
 #include "void_space/void_patch_builder.h"
 
 namespace vantage {
@@ -12,6 +12,7 @@ namespace vantage {
 struct StepOptions {
   std::optional<Mechanics> mechanics;  ///< of the moves between scans; unset: nothing is known of them
   ScanCut cut;
+  ThinningOptions thinning;
   TriangulationOptions triangulation;
   IcpOptions registration;
   MultiViewOptions refinement;
@@ -28,6 +29,7 @@ struct StepOptions {
 /// Options of an import of recorded scans.
 struct ImportOptions {
   ScanCut cut;
+  ThinningOptions thinning;
   TriangulationOptions triangulation;
   AlignmentOptions alignment;
   ZipperOptions zipper;

@@ -1,12 +1,15 @@
 #include "acquisition/steps.h"
 
 #include <algorithm>
+#include <utility>
+#include <vector>
 
 #include "acquisition/hand_placing.h"
 #include "acquisition/scan_placing.h"
 #include "base/errors.h"
 #include "geometry/measures.h"
 #include "integration/zipper.h"
+#include "registration/prepared_refinement.h"
 #include "registration/registration_scale.h"
 
 namespace vantage {
@@ -44,12 +47,16 @@ void liftDoubt(KeptScan& scan, double poseSigma, const StepOptions& options) {
 }
 
 // Moves the views to where all of them and the mechanics agree best.
-void refine(AcquisitionState& state, const StepOptions& options, const Progress& progress) {
+// @param prepared the views, or none
+void refine(AcquisitionState& state, std::vector<PreparedView> prepared, const StepOptions& options,
+            const Progress& progress) {
   const std::vector<View> views = viewsOf(state);
   if (views.size() < 2) return;
   MultiViewOptions refinement = options.refinement;
   refinement.ties = tiesOf(scansOf(state, ScanStatus::In), options);
-  const MultiViewResult refined = refineViews(views, refinement, progress);
+  const MultiViewResult refined = prepared.size() == views.size()
+                                      ? refinePrepared(views, prepared, refinement, progress)
+                                      : refineViews(views, refinement, progress);
   std::size_t i = 0;
   for (KeptScan& scan : state.scans) {
     if (scan.status != ScanStatus::In) continue;
@@ -82,8 +89,8 @@ bool placeRejected(AcquisitionState& state, const StepOptions& options, const Pr
   for (KeptScan& scan : state.scans) {
     if (scan.status != ScanStatus::Rejected || !turnedByGuess(*scan.view.image)) continue;
     KeptScan again = scan;
-    again.view.mesh = std::make_shared<const ViewMesh>(triangulate(*scan.view.image, options.triangulation));
-    if (again.view.mesh->mesh.empty() || !findPlace(state, again, options, progress) || isLoose(again)) continue;
+    again.view.mesh = std::make_shared<const ViewMesh>(triangulate(*scan.view.image, options.triangulation, progress));
+    if (again.view.mesh->mesh.empty() || !findPlace(state, again, options, progress).found || isLoose(again)) continue;
     scan = std::move(again);
     placed = true;
   }
@@ -93,7 +100,7 @@ bool placeRejected(AcquisitionState& state, const StepOptions& options, const Pr
 // After views found another place.
 AcquisitionState withNewModel(AcquisitionState state, const StepOptions& options, const Progress& progress) {
   const double before = area(state.model->mesh);
-  refine(state, options, progress.part(0.0, 0.2));
+  refine(state, {}, options, progress.part(0.0, 0.2));
   state.model = integrateViews(viewsOf(state), options, progress.part(0.2, 1.0));
   ScanRecord& record = state.scans.back().record;
   record.newArea = std::max(0.0, area(state.model->mesh) - before);
@@ -115,7 +122,8 @@ AcquisitionState addScan(const AcquisitionState& state, const NumberedScan& scan
                          std::optional<PositionScore> predicted, const StepOptions& options, const Progress& progress) {
   const Progress registering = progress.part(0.0, 0.5, name(Phase::Register));
   registering.checkpoint(0.0);
-  KeptScan added = keepAsView(scan, options.cut, options.triangulation);
+  KeptScan added = keepAsView(scan, {options.cut, options.thinning}, options.triangulation, raysOfLast(state.scans),
+                              registering.part(0.0, 0.1));
   checkStation(state, added);
   AcquisitionState next = state;
   if (!state.stands[static_cast<std::size_t>(added.station().stand)].T_object_table) {
@@ -125,11 +133,11 @@ AcquisitionState addScan(const AcquisitionState& state, const NumberedScan& scan
     return next;
   }
   if (added.view.mesh->mesh.empty() && !state.model) refuseEmpty(added);
-  const bool found = findPlace(next, added, options, registering.part(0.0, 0.7));
+  FoundPlace place = findPlace(next, added, options, registering.part(0.1, 0.7));
   added.record.predicted = std::move(predicted);
   next.scans.push_back(std::move(added));
-  if (!found) return next;
-  refine(next, options, registering.part(0.7, 0.9));
+  if (!place.found) return next;
+  refine(next, std::move(place.prepared), options, registering.part(0.7, 0.9));
   if (!isLoose(next.scans.back()) && settleLooseViews(next, options, registering.part(0.9, 1.0)))
     return withScansPlaced(withNewModel(std::move(next), options, progress.part(0.5, 0.9)), options,
                            progress.part(0.9, 1.0));
@@ -177,13 +185,13 @@ AcquisitionState placeStand(const AcquisitionState& state, int stand, const Pose
     if (!waits(scan)) continue;
     const Progress part = progress.part(done / count, (done + 1.0) / count);
     done += 1.0;
-    scan.view.mesh = std::make_shared<const ViewMesh>(triangulate(*scan.view.image, options.triangulation));
+    scan.view.mesh = std::make_shared<const ViewMesh>(triangulate(*scan.view.image, options.triangulation, part));
     KeptScan placed = scan;
-    const bool found = findPlace(next, placed, options, part.part(0.0, 0.3, name(Phase::Register)));
+    FoundPlace place = findPlace(next, placed, options, part.part(0.0, 0.3, name(Phase::Register)));
     const double before = next.model ? area(next.model->mesh) : 0.0;
     scan = std::move(placed);
-    if (!found) continue;
-    refine(next, options, part.part(0.3, 0.5, name(Phase::Register)));
+    if (!place.found) continue;
+    refine(next, {}, options, part.part(0.3, 0.5, name(Phase::Register)));
     next.model = integrateViews(viewsOf(next), options, part.part(0.5, 1.0));
     scan.record.newArea = std::max(0.0, area(next.model->mesh) - before);
     scan.record.overlapArea = std::max(0.0, area(scan.view.mesh->mesh) - scan.record.newArea);

@@ -1,12 +1,14 @@
 #include "acquisition/test_turn.h"
 
 #include <cmath>
+#include <memory>
 #include <string>
 
 #include "acquisition/phase_times.h"
 #include "base/errors.h"
 #include "registration/pose_prior.h"
 #include "registration/registration_target.h"
+#include "scanner/scan_use.h"
 #include "scanner/table_turn.h"
 #include "scanner/triangulation.h"
 
@@ -33,24 +35,26 @@ TestTurn testTurn(const Rig& rig, const ScannerProfile& profile, int from, int t
   triangulation.breakdownAngle = profile.breakdownAngle;
 
   const auto scan = [&](int position, const Progress& scanning) {
-    const RangeImage whole = scanFrom(rig, position, scanning);
-    return cutsNothing(cut) ? whole : withoutCut(whole, cutOf(whole, {cutSceneOf(profile), cut}));
+    const auto whole = std::make_shared<const RangeImage>(scanFrom(rig, position, scanning.part(0.0, 0.8)));
+    return usedImage(whole, {{cutSceneOf(profile), cut}, {}}, nullptr, scanning.part(0.8, 1.0));
   };
-  const RangeImage first = scan(from, progress.part(0.0, 0.25, name(Phase::Scan)));
-  const RangeImage second = scan(to, progress.part(0.25, 0.5, name(Phase::Scan)));
+  const UsedImage first = scan(from, progress.part(0.0, 0.25, name(Phase::Scan)));
+  const UsedImage second = scan(to, progress.part(0.25, 0.5, name(Phase::Scan)));
   const Progress registering = progress.part(0.5, 1.0, name(Phase::Register));
   registering.checkpoint(0.0);
-  const ViewMesh a = triangulate(first, triangulation);
+  const ViewMesh a = triangulate(*first.image, triangulation, registering.part(0.0, 0.1));
   if (a.mesh.empty())
     throw InvalidInput("the scan from position " + std::to_string(from) +
                        " has no surface: is the object inside the viewing volume?");
   IcpOptions options;
   options.prior = turntablePrior(mechanicsOf(rig, profile));
-  result.samples = first.sampleCount();
-  const RegistrationTarget target(transformed(a.mesh, first.T_table_scanner), a.confidence);
-  result.registration = registerView(triangulate(second, triangulation), *second.rays, second.T_table_scanner, target,
-                                     options, registering);
-  const Pose error = result.registration.T_object_scanner * second.T_table_scanner.inverse();
+  result.samples = first.samples;
+  const RegistrationTarget target(transformed(a.mesh, first.image->T_table_scanner), a.confidence);
+  const Pose& T_table_scanner = second.image->T_table_scanner;
+  const ViewMesh b = triangulate(*second.image, triangulation, registering.part(0.1, 0.2));
+  result.registration =
+      registerView(b, *second.image->rays, T_table_scanner, target, options, registering.part(0.2, 1.0));
+  const Pose error = result.registration.T_object_scanner * T_table_scanner.inverse();
   result.measured = result.expected + turnAboutZ(error);
   result.axisOffset = error.translation().head<2>().norm();
   return result;

@@ -115,7 +115,8 @@ struct RayCaster::Scene {
   Device device;
   EmbreeScene scene;
 
-  Scene(const Mesh& source, Precision precision) : mesh(source) {
+  Scene(const Mesh& source, Precision precision, const Progress& progress) : mesh(source) {
+    progress.checkpoint(0.0);
     if (mesh.triangles.size() > 0x7fffffffULL / 3 || mesh.vertices.size() > 0x7fffffffULL)
       throw InvalidInput("mesh of " + std::to_string(mesh.triangles.size()) +
                          " triangles is too large to trace rays in");
@@ -125,7 +126,12 @@ struct RayCaster::Scene {
     scene.reset(rtcNewScene(device.get()));
     if (precision == Precision::Robust) rtcSetSceneFlags(scene.get(), RTC_SCENE_FLAG_ROBUST);
     if (!mesh.triangles.empty()) attachTriangles();
+    progress.checkpoint(0.1);
+    Monitor monitor{&progress, false};
+    rtcSetSceneProgressMonitorFunction(scene.get(), &Monitor::goOn, &monitor);
     rtcCommitScene(scene.get());
+    rtcSetSceneProgressMonitorFunction(scene.get(), nullptr, nullptr);
+    if (monitor.stopped) throw Cancelled();
   }
 
   // How far Embree's single precision may move a point that is as far out as p [mm].
@@ -134,6 +140,22 @@ struct RayCaster::Scene {
   }
 
  private:
+  // What Embree asks while it builds the tree; no exception may go through it.
+  struct Monitor {
+    const Progress* progress;
+    bool stopped;
+
+    static bool goOn(void* self, double fraction) {
+      auto& monitor = *static_cast<Monitor*>(self);
+      try {
+        monitor.progress->checkpoint(0.1 + 0.9 * fraction);
+      } catch (const Cancelled&) {
+        monitor.stopped = true;
+      }
+      return !monitor.stopped;
+    }
+  };
+
   void attachTriangles() {
     const Geometry geometry(rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_TRIANGLE));
     auto* positions = static_cast<float*>(rtcSetNewGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_VERTEX, 0,
@@ -154,7 +176,8 @@ struct RayCaster::Scene {
   double largestCoordinate_ = 0.0;
 };
 
-RayCaster::RayCaster(const Mesh& mesh, Precision precision) : scene_(std::make_unique<Scene>(mesh, precision)) {}
+RayCaster::RayCaster(const Mesh& mesh, Precision precision, const Progress& progress)
+    : scene_(std::make_unique<Scene>(mesh, precision, progress)) {}
 RayCaster::~RayCaster() = default;
 RayCaster::RayCaster(RayCaster&&) noexcept = default;
 RayCaster& RayCaster::operator=(RayCaster&&) noexcept = default;

@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 
+#include "base/progress.h"
 #include "geometry/mesh.h"
 
 namespace vantage {
@@ -48,8 +49,8 @@ class RayCaster {
   };
 
   /// Copies the geometry. Degenerate triangles are never hit.
-  /// @throws InvalidInput for an index out of range or more than 2^31 corners.
-  explicit RayCaster(const Mesh& mesh, Precision precision = Precision::Fast);
+  /// @throws InvalidInput for an index out of range or more than 2^31 corners; Cancelled
+  explicit RayCaster(const Mesh& mesh, Precision precision = Precision::Fast, const Progress& progress = {});
   ~RayCaster();
   RayCaster(RayCaster&&) noexcept;
   RayCaster& operator=(RayCaster&&) noexcept;

@@ -30,10 +30,12 @@ class GridSurface {
   [[nodiscard]] const Pose& T_object_scanner() const { return T_object_scanner_; }
   [[nodiscard]] const Pose& T_scanner_object() const { return T_scanner_object_; }
 
-  /// Whether a surface with this normal (scanner coordinates, unit) can lie within the angle with the given cosine of
-  /// any ray; false spares locating it.
-  [[nodiscard]] bool mayFace(const Vec3& normal, double minCosine) const {
-    return -normal.dot(meanRay_) >= std::cos(std::min(std::acos(minCosine) + rayCone_, kPi));
+  /// Whether a surface with this normal (scanner coordinates, unit) can lie within the angle that `least` was asked for
+  /// of any ray; false spares locating it.
+  [[nodiscard]] bool mayFace(const Vec3& normal, double least) const { return -normal.dot(meanRay_) >= least; }
+  /// For an angle with the given cosine.
+  [[nodiscard]] double leastFacing(double minCosine) const {
+    return std::cos(std::min(std::acos(minCosine) + rayCone_, kPi));
   }
 
   /// The triangle of the mesh at a place of the grid; the lower one on an edge.

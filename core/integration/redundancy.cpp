@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "base/pace.h"
+
 namespace vantage {
 namespace {
 
@@ -22,10 +24,11 @@ double ownQuality(const Model& model, std::uint32_t v, std::span<const View> vie
 
 // Takes triangles away from the border inwards as long as they are wanted gone.
 template <typename Unwanted>
-std::size_t erode(ModelEditor& editor, const Unwanted& unwanted) {
+std::size_t erode(ModelEditor& editor, const Unwanted& unwanted, Pace& pace) {
   std::vector<std::uint32_t> queue;
   const std::uint32_t count = editor.triangleCount();
   for (std::uint32_t t = 0; t < count; ++t) {
+    pace.step();
     if (!editor.alive(t) || !unwanted(t)) continue;
     for (int k = 0; k < 3; ++k)
       if (editor.isBorderEdge(t, k)) {
@@ -35,6 +38,7 @@ std::size_t erode(ModelEditor& editor, const Unwanted& unwanted) {
   }
   std::size_t removed = 0;
   for (std::size_t i = 0; i < queue.size(); ++i) {
+    pace.step();
     const std::uint32_t t = queue[i];
     if (!editor.alive(t)) continue;
     for (int k = 0; k < 3; ++k) {
@@ -48,7 +52,8 @@ std::size_t erode(ModelEditor& editor, const Unwanted& unwanted) {
 }
 
 // Removes pieces of up to `most` triangles that lie on the view.
-std::size_t removeCoveredRemainders(ModelEditor& editor, std::span<const ProjectedVertex> projected, std::size_t most) {
+std::size_t removeCoveredRemainders(ModelEditor& editor, std::span<const ProjectedVertex> projected, std::size_t most,
+                                    Pace& pace) {
   std::vector<std::uint8_t> visited(editor.triangleCount(), 0);
   std::size_t removed = 0;
   std::vector<std::uint32_t> piece;
@@ -58,6 +63,7 @@ std::size_t removeCoveredRemainders(ModelEditor& editor, std::span<const Project
     visited[t] = 1;
     bool covered = true;
     for (std::size_t i = 0; i < piece.size(); ++i) {
+      pace.step();
       covered = covered && judged(editor.triangle(piece[i]), projected);
       for (int k = 0; k < 3; ++k) {
         const std::uint32_t next = editor.neighbour(piece[i], k);
@@ -98,23 +104,29 @@ double squaredDistance(const PlanePoint& p, const PlanePoint& a, const PlanePoin
 }  // namespace
 
 std::size_t removeRedundantTriangles(ModelEditor& editor, std::span<const ProjectedVertex> projected,
-                                     std::span<const View> views, const ZipperOptions& options) {
+                                     std::span<const View> views, const ZipperOptions& options,
+                                     const Progress& progress) {
   const Model& model = editor.model();
-  const std::size_t removed = erode(editor, [&](std::uint32_t t) {
+  Pace pace(progress);
+  const auto unwanted = [&](std::uint32_t t) {
     const Triangle& v = editor.triangle(t);
     if (!judged(v, projected)) return false;
     double gain = 0.0;
     for (const std::uint32_t i : v) gain += projected[i].quality - ownQuality(model, i, views);
     return gain > 3.0 * options.confidenceMargin;
-  });
+  };
+  const std::size_t removed = erode(editor, unwanted, pace);
   if (removed == 0) return 0;
-  return removed + removeCoveredRemainders(editor, projected, static_cast<std::size_t>(options.minIslandTriangles));
+  return removed +
+         removeCoveredRemainders(editor, projected, static_cast<std::size_t>(options.minIslandTriangles), pace);
 }
 
 OverlapIndex::OverlapIndex(const ModelEditor& editor, std::span<const ProjectedVertex> projected,
-                           const GridSurface& surface)
+                           const GridSurface& surface, const Progress& progress)
     : surface_(surface), start_(surface.rays().size() + 1, 0) {
+  Pace pace(progress);
   for (std::uint32_t t = 0; t < editor.triangleCount(); ++t) {
+    pace.step();
     if (!editor.alive(t)) continue;
     const Triangle& v = editor.triangle(t);
     const auto contact = [&](int k) { return projected[v[k]].contact; };
@@ -128,6 +140,7 @@ OverlapIndex::OverlapIndex(const ModelEditor& editor, std::span<const ProjectedV
   }
   const auto columns = static_cast<std::size_t>(surface.rays().columns());
   const auto visit = [&](const std::array<PlanePoint, 3>& place, const auto& each) {
+    pace.step();
     PlanePoint low;
     PlanePoint high;
     bounds(place, low, high);
@@ -157,13 +170,15 @@ bool OverlapIndex::overlaps(const PlanePoint (&t)[3]) const {
 }
 
 ViewCut cutView(const ModelEditor& editor, std::span<const ProjectedVertex> projected, const GridSurface& surface,
-                const OverlapIndex& overlap, const ZipperOptions& options) {
+                const OverlapIndex& overlap, const ZipperOptions& options, const Progress& progress) {
+  Pace pace(progress);
   const ViewMesh& view = surface.mesh();
   const RayGrid& rays = surface.rays();
   ViewCut cut{std::vector<std::uint8_t>(view.sample.size(), 1),
               std::vector<std::uint8_t>(view.mesh.triangles.size(), 1)};
 
   for (const auto& s : overlap.triangles()) {
+    pace.step();
     PlanePoint low;
     PlanePoint high;
     bounds(s, low, high);
@@ -186,6 +201,7 @@ ViewCut cutView(const ModelEditor& editor, std::span<const ProjectedVertex> proj
   const double reach = options.clearance * kPlaneCell;
   const auto margin = static_cast<std::int32_t>(std::ceil(reach));
   for (std::uint32_t t = 0; t < editor.triangleCount(); ++t) {
+    pace.step();
     if (!editor.alive(t)) continue;
     for (int k = 0; k < 3; ++k) {
       const ProjectedVertex& a = projected[editor.triangle(t)[k]];

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "base/progress.h"
 #include "integration/model_editor.h"
 #include "integration/model_projection.h"
 
@@ -14,14 +15,17 @@ namespace vantage {
 /// margin, one by one from the model's border inwards. A vertex's quality is the confidence of its own sample, halved
 /// on its view's border. Small remainders that the view covers altogether go, too.
 /// @param views by the model's provenance.
-/// @return how many triangles went.
+/// @return how many triangles went. @throws Cancelled
 std::size_t removeRedundantTriangles(ModelEditor& editor, std::span<const ProjectedVertex> projected,
-                                     std::span<const View> views, const ZipperOptions& options);
+                                     std::span<const View> views, const ZipperOptions& options,
+                                     const Progress& progress = {});
 
 /// The triangles of a model that lie in a view's grid at the depth of its surface, by cell.
 class OverlapIndex {
  public:
-  OverlapIndex(const ModelEditor& editor, std::span<const ProjectedVertex> projected, const GridSurface& surface);
+  /// @throws Cancelled
+  OverlapIndex(const ModelEditor& editor, std::span<const ProjectedVertex> projected, const GridSurface& surface,
+               const Progress& progress = {});
 
   [[nodiscard]] std::span<const std::array<PlanePoint, 3>> triangles() const { return triangles_; }
 
@@ -42,7 +46,9 @@ struct ViewCut {
 };
 
 /// Removes the view's triangles that overlap the model, and its vertices within `clearance` of the model's border.
+/// @throws Cancelled
 [[nodiscard]] ViewCut cutView(const ModelEditor& editor, std::span<const ProjectedVertex> projected,
-                              const GridSurface& surface, const OverlapIndex& overlap, const ZipperOptions& options);
+                              const GridSurface& surface, const OverlapIndex& overlap, const ZipperOptions& options,
+                              const Progress& progress = {});
 
 }  // namespace vantage

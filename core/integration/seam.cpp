@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/pace.h"
 #include "integration/constrained_delaunay.h"
 
 namespace vantage {
@@ -182,17 +183,25 @@ class GapTest {
 
 Seam stitch(ModelEditor& editor, std::span<const ProjectedVertex> projected, const GridSurface& surface,
             const ViewCut& cut, const OverlapIndex& overlap, std::span<const View> views, std::uint32_t newView,
-            const ZipperOptions& options) {
+            const ZipperOptions& options, const Progress& progress) {
   Gap gap(editor, projected, surface, cut, newView);
   gap.addModelBorder();
+  progress.checkpoint(0.1);
   Seam seam;
   seam.viewTriangles = gap.addView();
+  progress.checkpoint(0.3);
   gap.addViewBorder();
+  progress.checkpoint(0.4);
 
   ConstrainedDelaunay delaunay(gap.points);
-  for (const auto& [a, b] : gap.constraints) delaunay.constrain(a, b);
+  Pace pace(progress, 0.6);
+  for (const auto& [a, b] : gap.constraints) {
+    pace.step();
+    delaunay.constrain(a, b);
+  }
   const GapTest test(editor, gap, surface, cut, overlap, views, options);
   for (const Triangle& t : delaunay.triangles()) {
+    pace.step();
     if (!test.fills(t)) continue;
     seam.seamTriangles +=
         editor.addTriangle({gap.vertices[t[0]], gap.vertices[t[1]], gap.vertices[t[2]]}, newView) ? 1 : 0;

@@ -17,8 +17,9 @@ struct Seam {
 /// triangles between measured vertices: a constrained Delaunay triangulation in the view's grid, with both borders as
 /// constraints, of which those triangles stay that lie in the gap, have no edge longer than a continuous surface
 /// allows, and, unless they join the two borders, lie where the view has seen surface.
+/// @throws Cancelled
 [[nodiscard]] Seam stitch(ModelEditor& editor, std::span<const ProjectedVertex> projected, const GridSurface& surface,
                           const ViewCut& cut, const OverlapIndex& overlap, std::span<const View> views,
-                          std::uint32_t newView, const ZipperOptions& options);
+                          std::uint32_t newView, const ZipperOptions& options, const Progress& progress = {});
 
 }  // namespace vantage

@@ -19,11 +19,12 @@ constexpr double kMinFacing = 0.1;
 ViewWitness::ViewWitness(const View& view, const ConsensusOptions& options)
     : surface_(view),
       maxOffset_(std::max(options.maxOffset, options.spacingOffset * surface_.mesh().spacing)),
-      minNormalCosine_(std::cos(options.normalTolerance)) {}
+      minNormalCosine_(std::cos(options.normalTolerance)),
+      leastFacing_(surface_.leastFacing(kMinFacing)) {}
 
 Opinion ViewWitness::ask(const Vec3& vertex, const Vec3& vertexNormal, std::optional<GridPosition>& hint) const {
   const Vec3 normal = surface_.T_scanner_object().linear() * vertexNormal;
-  if (!surface_.mayFace(normal, kMinFacing)) return {};
+  if (!surface_.mayFace(normal, leastFacing_)) return {};
   const Vec3 p = surface_.T_scanner_object() * vertex;
   const auto position = hint ? surface_.rays().locate(p, *hint) : surface_.rays().locate(p);
   if (!position) return {};

@@ -34,6 +34,7 @@ class ViewWitness {
   GridSurface surface_;
   double maxOffset_;
   double minNormalCosine_;
+  double leastFacing_;
 };
 
 /// One per view, in their order. @throws InvalidInput when a view has no image or no mesh, Cancelled

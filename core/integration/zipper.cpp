@@ -53,27 +53,34 @@ Integration integrateView(const Model& model, std::span<const View> views, std::
     throw InvalidInput("view " + std::to_string(newView) + " is to be integrated, but there are " +
                        std::to_string(views.size()));
   checkProvenance(model, views);
+  progress.checkpoint(0.0);
   const GridSurface surface(views[newView]);
-  const std::vector<ProjectedVertex> projected = projectModel(model, surface, options, progress.part(0.0, 0.4));
+  progress.checkpoint(0.05);
+  const std::vector<ProjectedVertex> projected = projectModel(model, surface, options, progress.part(0.05, 0.4));
 
   Integration result;
   ZipperStatistics& statistics = result.statistics;
   ModelEditor editor(model);
-  statistics.removedFromModel = removeRedundantTriangles(editor, projected, views, options);
+  progress.checkpoint(0.42);
+  statistics.removedFromModel = removeRedundantTriangles(editor, projected, views, options, progress.part(0.42, 0.5));
   for (std::uint32_t v = 0; v < projected.size(); ++v)
     if (projected[v].contact == Contact::On) editor.raiseConfidence(v, projected[v].confidence);
   progress.checkpoint(0.5);
-  const OverlapIndex overlap(editor, projected, surface);
-  const ViewCut cut = cutView(editor, projected, surface, overlap, options);
+  const OverlapIndex overlap(editor, projected, surface, progress.part(0.5, 0.55));
+  progress.checkpoint(0.55);
+  const ViewCut cut = cutView(editor, projected, surface, overlap, options, progress.part(0.55, 0.6));
   progress.checkpoint(0.6);
-  const Seam seam = stitch(editor, projected, surface, cut, overlap, views, newView, options);
+  const Seam seam = stitch(editor, projected, surface, cut, overlap, views, newView, options, progress.part(0.6, 0.8));
   statistics.added = seam.viewTriangles;
   statistics.removedFromViews = surface.mesh().mesh.triangles.size() - seam.viewTriangles;
   statistics.seam = seam.seamTriangles;
   progress.checkpoint(0.8);
   statistics.bowTies = resolveBowTies(editor, seam.vertices);
+  progress.checkpoint(0.82);
   statistics.islands = removeIslands(editor, options.minIslandTriangles);
+  progress.checkpoint(0.85);
   statistics.slivers = removeSlivers(editor, seam.vertices, {.shortestEdge = sliverLength(options, surface)});
+  progress.checkpoint(0.87);
   statistics.holesClosed = closeSmallHoles(editor, surface, newView, options);
   progress.checkpoint(0.9);
   result.model = std::move(editor).take();

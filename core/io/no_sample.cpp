@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
+#include <cstdint>
+#include <iterator>
 #include <utility>
 
 #include "io/grid_file.h"
@@ -13,6 +16,8 @@ namespace {
 // A point is a mark when so many cells share it; a zero point already when it stands there twice.
 constexpr std::size_t kLeastRepeats = 8;
 constexpr double kRepeatedShare = 0.002;
+// Points are told apart roughly before they are compared.
+constexpr unsigned kBucketBits = 16;
 constexpr std::size_t kLeastZeros = 2;
 // A plane of constant depth: at least so many of the cells, at equal depth but for rounding.
 constexpr double kPlaneShare = 0.02;
@@ -39,29 +44,56 @@ bool before(const Vec3& a, const Vec3& b) {
   return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);
 }
 
-// The point that most cells share, and how many do.
-std::pair<Vec3, std::size_t> mostRepeated(std::vector<Vec3> points) {
-  std::sort(points.begin(), points.end(), before);
+// Equal for equal points.
+std::size_t bucketOf(const Vec3& p) {
+  std::uint64_t hash = 0;
+  for (int k = 0; k < 3; ++k)
+    hash = (hash ^ std::bit_cast<std::uint64_t>(p[k] + 0.0)) * 0x9e3779b97f4a7c15ULL;  // -0 + 0 is 0
+  return hash >> (64U - kBucketBits);
+}
+
+// The point that most cells share, at least `least` of them, and how many do; 0 where there is none.
+std::pair<Vec3, std::size_t> mostRepeated(const std::vector<Vec3>& points, std::size_t least) {
+  std::vector<std::size_t> counts(std::size_t{1} << kBucketBits, 0);
+  for (const Vec3& p : points) ++counts[bucketOf(p)];
+  std::vector<Vec3> candidates;
+  std::copy_if(points.begin(), points.end(), std::back_inserter(candidates),
+               [&](const Vec3& p) { return counts[bucketOf(p)] >= least; });
+  std::sort(candidates.begin(), candidates.end(), before);
   std::pair<Vec3, std::size_t> most{Vec3::Zero(), 0};
-  for (std::size_t i = 0, j = 0; i < points.size(); i = j) {
-    while (j < points.size() && points[j] == points[i]) ++j;
-    if (j - i > most.second) most = {points[i], j - i};
+  for (std::size_t i = 0, j = 0; i < candidates.size(); i = j) {
+    while (j < candidates.size() && candidates[j] == candidates[i]) ++j;
+    if (j - i >= least && j - i > most.second) most = {candidates[i], j - i};
   }
   return most;
+}
+
+// The value that so many others are not greater than; reorders them.
+double ranked(std::vector<double>& values, std::size_t rank) {
+  const auto at = values.begin() + static_cast<std::ptrdiff_t>(rank);
+  std::nth_element(values.begin(), at, values.end());
+  return *at;
 }
 
 class Dropper {
  public:
   Dropper(SampleGrid& grid, std::optional<double> given) : grid_(grid), given_(given) {}
 
-  NoSamples drop() {
+  NoSamples drop(const Progress& progress) {
     if (given_)
       take(NoSampleMark::Given, [&](const Vec3& p) { return p.z() == *given_ || p == Vec3::Constant(*given_); });
+    progress.checkpoint(0.0);
     dropZeros();
-    while (dropRepeated()) {
+    do {
+      progress.checkpoint(0.2);
+    } while (dropRepeated());
+    progress.checkpoint(0.4);
+    dropOutliers(progress);
+    for (const bool high : {false, true}) {
+      progress.checkpoint(high ? 0.8 : 0.7);
+      dropPlane(high);
     }
-    dropOutliers();
-    for (const bool high : {false, true}) dropPlane(high);
+    progress.checkpoint(1.0);
     return found_;
   }
 
@@ -84,25 +116,27 @@ class Dropper {
   }
 
   bool dropRepeated() {
-    const auto [point, count] = mostRepeated(pointsOf(grid_));
-    const double least = kRepeatedShare * static_cast<double>(grid_.cell.size());
-    if (count < kLeastRepeats || static_cast<double>(count) < least) return false;
+    const double share = std::ceil(kRepeatedShare * static_cast<double>(grid_.cell.size()));
+    const auto [point, count] = mostRepeated(pointsOf(grid_), std::max(kLeastRepeats, static_cast<std::size_t>(share)));
+    if (count == 0) return false;
     const Vec3 mark = point;
     take(NoSampleMark::Repeated, [&](const Vec3& p) { return p == mark; });
     return true;
   }
 
-  void dropOutliers() {
+  void dropOutliers(const Progress& progress) {
     const std::vector<Vec3> points = pointsOf(grid_);
     if (points.size() < 4) return;
     Vec3 middle;
     double half = 0.0;
     for (int k = 0; k < 3; ++k) {
+      progress.checkpoint(0.4 + 0.1 * k);
       std::vector<double> values;
+      values.reserve(points.size());
       for (const Vec3& p : points) values.push_back(p[k]);
-      std::sort(values.begin(), values.end());
-      middle[k] = values[values.size() / 2];
-      half = std::max(half, values[3 * values.size() / 4] - values[values.size() / 4]);
+      middle[k] = ranked(values, values.size() / 2);
+      const double upper = ranked(values, 3 * values.size() / 4);
+      half = std::max(half, upper - ranked(values, values.size() / 4));
     }
     if (!(half > 0.0)) return;
     take(NoSampleMark::Outlier,
@@ -113,14 +147,17 @@ class Dropper {
   void dropPlane(bool high) {
     std::vector<Vec3> points = pointsOf(grid_);
     if (points.size() < 2 * kLeastPlane) return;
-    std::sort(points.begin(), points.end(), [](const Vec3& a, const Vec3& b) { return a.z() < b.z(); });
-    if (high) std::reverse(points.begin(), points.end());
-    const double depth = points.front().z();
+    const auto lower = [](const Vec3& a, const Vec3& b) { return a.z() < b.z(); };
+    const auto extreme = high ? std::max_element(points.begin(), points.end(), lower)
+                              : std::min_element(points.begin(), points.end(), lower);
+    const double depth = extreme->z();
     const auto isEqual = [&](const Vec3& p) { return std::abs(p.z() - depth) <= kEqualDepth * std::abs(depth); };
-    const auto rest = std::find_if_not(points.begin(), points.end(), isEqual);
-    const auto count = static_cast<std::size_t>(rest - points.begin());
+    const auto count = static_cast<std::size_t>(std::count_if(points.begin(), points.end(), isEqual));
     const double least = kPlaneShare * static_cast<double>(grid_.cell.size());
-    if (count < kLeastPlane || static_cast<double>(count) < least || rest == points.end()) return;
+    if (count < kLeastPlane || static_cast<double>(count) < least || count == points.size()) return;
+    std::sort(points.begin(), points.end(), lower);
+    if (high) std::reverse(points.begin(), points.end());
+    const auto rest = std::find_if_not(points.begin(), points.end(), isEqual);
     if (isNoSurface({rest, points.end()}, std::abs(rest->z() - depth))) take(NoSampleMark::FarPlane, isEqual);
   }
 
@@ -148,8 +185,8 @@ class Dropper {
 
 }  // namespace
 
-NoSamples dropNoSamples(SampleGrid& grid, std::optional<double> given) {
-  NoSamples found = Dropper(grid, given).drop();
+NoSamples dropNoSamples(SampleGrid& grid, std::optional<double> given, const Progress& progress) {
+  NoSamples found = Dropper(grid, given).drop(progress);
   if (found.dropped > 0) keepUsedPoints(grid);
   return found;
 }

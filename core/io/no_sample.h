@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "base/progress.h"
 #include "io/range_grid_rays.h"
 #include "scanner/scan_reading.h"
 
@@ -18,6 +19,7 @@ struct NoSamples {
 /// else, and numbers out of all proportion to the rest. Two lines of sight never measure the same point, so a point
 /// that repeats is none. A constant depth is real surface unless the rest shows noise that it has not, or lies far from
 /// it. Where several marks are found, the one of most cells is named.
-[[nodiscard]] NoSamples dropNoSamples(SampleGrid& grid, std::optional<double> given);
+/// @throws Cancelled
+[[nodiscard]] NoSamples dropNoSamples(SampleGrid& grid, std::optional<double> given, const Progress& progress = {});
 
 }  // namespace vantage

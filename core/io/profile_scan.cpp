@@ -172,11 +172,11 @@ RangeImage readScan(const std::string& path, const ScannerProfile& profile, cons
   RawScan scan;
   scan.path = path;
   scan.file = readSamples(path, progress.part(0.0, 0.6), options.grid);
-  const NoSamples none = dropNoSamples(scan.file.samples, options.noSample);
+  const NoSamples none = dropNoSamples(scan.file.samples, options.noSample, progress.part(0.6, 0.7));
   if (scan.file.samples.points.empty())
     throw InvalidInput(path + ": has no samples but " + std::to_string(none.dropped) +
                        " that say that nothing was measured");
-  const ReadScan read = placeOnRays(scan, profile, options, T_table_scanner, false, progress.part(0.6, 1.0));
+  const ReadScan read = placeOnRays(scan, profile, options, T_table_scanner, false, progress.part(0.7, 1.0));
   if (read.reading.unitKnownBy == KnownBy::Evidence && read.reading.unit != 1.0)
     throw UnansweredQuestion(path + ": the file seems to be in " + unitName(read.reading.unit) +
                              ", in which its points are before the scanner and on its rays, not in mm: say --unit " +

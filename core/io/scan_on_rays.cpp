@@ -123,13 +123,15 @@ class CellByCell {
   CellByCell(const RawScan& scan, const ScannerProfile& profile, const std::optional<Pose>& T_table_scanner)
       : scan_(scan), profile_(profile), T_table_scanner_(T_table_scanner) {}
 
-  std::optional<ReadScan> read(bool inUnits, std::optional<double> given) {
+  std::optional<ReadScan> read(bool inUnits, std::optional<double> given, const Progress& progress) {
     const SampleGrid& grid = scan_.file.samples;
     for (const auto& [unit, knownBy] : unitsToTry(scan_, given))
       for (const Frame& frame : framesToTry(grid, *profile_.rays, T_table_scanner_, inUnits ? unit : 1.0)) {
+        progress.checkpoint(0.0);
         OffRays off;
         const SampleGrid samples = moved(grid, unit, frame.T_scanner_file);
         ReadScan read{0, imageOnRays(samples, profile_.rays, off), scan_.reading};
+        progress.checkpoint(0.5);
         if (!first_) first_ = off;
         if (!read.image.rays) continue;
         read.reading.unit = read.reading.poseUnit = unit;
@@ -165,12 +167,12 @@ class CellByCell {
 };
 
 ReadScan readAnyway(RawScan scan, const ScannerProfile& profile, const std::optional<Pose>& T_table_scanner,
-                    bool inUnits, const ScanReadingOptions& options) {
+                    bool inUnits, const ScanReadingOptions& options, const Progress& progress) {
   const bool fits = fitSize(scan, *profile.rays);
   CellByCell direct(scan, profile, T_table_scanner);
   const bool asFound = !options.frame && options.up.value_or(Axis::Z) == Axis::Z;
   if (fits && asFound)
-    if (auto read = direct.read(inUnits, options.unit)) return std::move(*read);
+    if (auto read = direct.read(inUnits, options.unit, progress)) return std::move(*read);
   try {
     return placeOnRays(scan, profile, options, T_table_scanner, fits);
   } catch (const UnansweredQuestion&) {
@@ -185,8 +187,8 @@ ReadScan readAnyway(RawScan scan, const ScannerProfile& profile, const std::opti
 }  // namespace
 
 ReadScan readOnRays(RawScan scan, const ScannerProfile& profile, const std::optional<Pose>& T_table_scanner,
-                    bool inUnits, const ScanReadingOptions& options) {
-  ReadScan read = readAnyway(std::move(scan), profile, T_table_scanner, inUnits, options);
+                    bool inUnits, const ScanReadingOptions& options, const Progress& progress) {
+  ReadScan read = readAnyway(std::move(scan), profile, T_table_scanner, inUnits, options, progress);
   if (T_table_scanner) read.image.T_table_scanner = scaled(*T_table_scanner, inUnits ? read.reading.unit : 1.0);
   return read;
 }

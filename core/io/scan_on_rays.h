@@ -12,9 +12,10 @@ namespace vantage {
 /// z, or of the table. A file of other rows and columns, or of none, is put on the rays as placeOnRays does.
 /// @param T_table_scanner where it was taken; becomes the pose of the image.
 /// @param inUnits whether its translation is in units of the file, else in millimetres.
-/// @throws InvalidInput when no unit and frame puts the samples on the rays: it is another scanner's file
+/// @throws InvalidInput when no unit and frame puts the samples on the rays: it is another scanner's file;
+///         Cancelled
 [[nodiscard]] ReadScan readOnRays(RawScan scan, const ScannerProfile& profile,
                                   const std::optional<Pose>& T_table_scanner, bool inUnits,
-                                  const ScanReadingOptions& options);
+                                  const ScanReadingOptions& options, const Progress& progress);
 
 }  // namespace vantage

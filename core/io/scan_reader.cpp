@@ -39,8 +39,8 @@ void exchange(RawScan& scan) {
   scan.reading.exchanged = true;
 }
 
-void dropMarks(RawScan& scan, const ScanReadingOptions& options) {
-  const NoSamples none = dropNoSamples(scan.file.samples, options.noSample);
+void dropMarks(RawScan& scan, const ScanReadingOptions& options, const Progress& progress) {
+  const NoSamples none = dropNoSamples(scan.file.samples, options.noSample, progress);
   scan.reading.noSample = none.mark;
   scan.reading.dropped = none.dropped;
   if (scan.file.samples.points.empty())
@@ -69,8 +69,9 @@ void findSights(RawScan& scan) {
 RawScan readRaw(const std::string& path, bool ofProfile, const ScanReadingOptions& options, const Progress& progress) {
   RawScan scan;
   scan.path = path;
-  scan.file = ofProfile ? readSamples(path, progress, options.grid) : readGridFile(path, progress, options.grid);
-  dropMarks(scan, options);
+  const Progress reading = progress.part(0.0, 0.7);
+  scan.file = ofProfile ? readSamples(path, reading, options.grid) : readGridFile(path, reading, options.grid);
+  dropMarks(scan, options, progress.part(0.7, 1.0));
   scan.T_object_scanner = scan.file.T_world_scanner;
   return scan;
 }
@@ -252,20 +253,22 @@ std::vector<ReadScan> readScans(const std::vector<std::string>& files, const std
     throw InvalidInput(
         "the profile says where its scanner looks: leave --frame, or say profile, camera, gl or world for points that "
         "are in other coordinates than its own");
-  std::vector<RawScan> raw;
-  const Progress reading = progress.part(0.0, 0.5);
-  for (const std::string& file : files) {
-    const auto done = static_cast<double>(raw.size());
-    raw.push_back(readRaw(
-        file, profile != nullptr, options,
-        reading.part(done / static_cast<double>(files.size()), (done + 1.0) / static_cast<double>(files.size()))));
+  const auto share = [&](std::size_t file) { return static_cast<double>(file) / static_cast<double>(files.size()); };
+  if (profile == nullptr) {
+    std::vector<RawScan> raw;
+    const Progress reading = progress.part(0.0, 0.5);
+    for (const std::string& file : files)
+      raw.push_back(readRaw(file, false, options, reading.part(share(raw.size()), share(raw.size() + 1))));
+    return Interpretation(std::move(raw), options).read(list, progress.part(0.5, 1.0));
   }
-  if (profile == nullptr) return Interpretation(std::move(raw), options).read(list, progress.part(0.5, 1.0));
+  // One after the other: points take much more memory than what they are on the rays.
   std::vector<ReadScan> read;
-  for (RawScan& scan : raw) {
+  for (const std::string& file : files) {
+    const Progress one = progress.part(share(read.size()), share(read.size() + 1));
     std::optional<Pose> pose;
-    if (list != nullptr) pose = poseIn(*list, scan.path);
-    read.push_back(readOnRays(std::move(scan), *profile, pose, true, options));
+    if (list != nullptr) pose = poseIn(*list, file);
+    read.push_back(readOnRays(readRaw(file, true, options, one.part(0.0, 0.7)), *profile, pose, true, options,
+                              one.part(0.7, 1.0)));
     read.back().file = read.size() - 1;
     if (pose) read.back().image.poseKnownBy = PoseSource::Reported;
   }
@@ -275,7 +278,8 @@ std::vector<ReadScan> readScans(const std::vector<std::string>& files, const std
 ReadScan readScanAt(const std::string& file, const ScannerProfile& profile, int position,
                     const ScanReadingOptions& options, const Progress& progress) {
   const Pose& pose = profile.workspace.poses[static_cast<std::size_t>(position)];
-  ReadScan read = readOnRays(readRaw(file, true, options, progress), profile, pose, false, options);
+  ReadScan read = readOnRays(readRaw(file, true, options, progress.part(0.0, 0.7)), profile, pose, false, options,
+                             progress.part(0.7, 1.0));
   read.image.station.position = position;
   read.image.poseKnownBy = PoseSource::Commanded;
   return read;

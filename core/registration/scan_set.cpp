@@ -124,14 +124,13 @@ double ScanSet::worth() const {
   return sum;
 }
 
-std::optional<double> contradictionOfLast(std::span<const View> views, bool isDoubtful, const IcpOptions& options,
-                                          const Progress& progress) {
+std::optional<double> contradictionOfLast(std::span<const View> views, std::span<const PreparedView> prepared,
+                                          bool isDoubtful, const IcpOptions& options, const Progress& progress) {
   if (views.size() < 2) return std::nullopt;
-  const std::vector<PreparedView> prepared = prepareViews(views, progress.part(0.0, 0.7));
   std::vector<Pose> poses;
   for (const View& view : views) poses.push_back(view.T_object_scanner);
-  const Agreement all = agreementWithOthers(prepared, poses, views.size() - 1, gatesFor(scaleOf(prepared), options),
-                                            kAsked, progress.part(0.7, 1.0));
+  const Agreement all =
+      agreementWithOthers(prepared, poses, views.size() - 1, gatesFor(scaleOf(prepared), options), kAsked, progress);
   const double mayMiss = isDoubtful ? kMayMissInDoubt : kMayMiss;
   if (!contradict(all, kMostContradiction, mayMiss)) return std::nullopt;
   return all.contradiction(mayMiss);

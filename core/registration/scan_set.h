@@ -26,9 +26,11 @@ struct ScanSet {
                                 std::span<const Pose> given, const AlignmentOptions& options, const Progress& progress);
 
 /// How much the last view contradicts all others under their poses [share of points, 0..1]; nothing where it does not.
+/// @param prepared one per view
 /// @param isDoubtful whether its pose is: less speaks against it then
 /// @throws Cancelled
-[[nodiscard]] std::optional<double> contradictionOfLast(std::span<const View> views, bool isDoubtful,
+[[nodiscard]] std::optional<double> contradictionOfLast(std::span<const View> views,
+                                                        std::span<const PreparedView> prepared, bool isDoubtful,
                                                         const IcpOptions& options, const Progress& progress);
 
 }  // namespace vantage

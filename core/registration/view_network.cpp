@@ -19,10 +19,31 @@ constexpr std::size_t kLookAt = 3;
 // Points of one view that are kept: links of a view choose from them, the more views there are the fewer.
 constexpr std::size_t kMostPoints = 400'000;
 
-// Gives a link about `count` points of its first view that its second one sees.
-void keepSeen(const PreparedView& from, const PreparedView& to, const Pose& T_to_from, const PairGates& gates,
-              std::size_t count, ViewLink& link) {
-  link.ids = thinned(allIndices(from.points.size()), kLookAt * count);
+using PointIds = std::vector<std::uint32_t>;
+
+// About `count` points of every view: the same for all links of a view, so that they are drawn once.
+std::vector<PointIds> someOfEach(std::span<const PreparedView> views, std::size_t count, const Progress& progress) {
+  std::vector<PointIds> some(views.size());
+  parallelChunks(views.size(), 1, progress,
+                 [&](std::size_t i, std::size_t) { some[i] = thinned(allIndices(views[i].points.size()), count); });
+  return some;
+}
+
+double shareThatMeets(const PreparedView& from, const PointIds& ids, const PreparedView& to, const Pose& T_to_from,
+                      const PairGates& gates) {
+  if (ids.empty()) return 0.0;
+  std::vector<std::optional<GridPosition>> positions(ids.size());
+  std::vector<Pair> pairs(ids.size());
+  findPairs(from.points, ids, T_to_from, to.surface, gates, positions, Progress(), pairs);
+  const auto met = static_cast<std::size_t>(
+      std::count_if(pairs.begin(), pairs.end(), [](const Pair& p) { return p.state == PairState::Paired; }));
+  return met < kFewest ? 0.0 : static_cast<double>(met) / static_cast<double>(ids.size());
+}
+
+// Gives a link about `count` of the points `lookAt` of its first view that its second one sees.
+void keepSeen(const PreparedView& from, const PointIds& lookAt, const PreparedView& to, const Pose& T_to_from,
+              const PairGates& gates, std::size_t count, ViewLink& link) {
+  link.ids = lookAt;
   link.positions.resize(link.ids.size());
   link.pairs.resize(link.ids.size());
   findPairs(from.points, link.ids, T_to_from, to.surface, gates, link.positions, Progress(), link.pairs);
@@ -57,25 +78,19 @@ std::vector<PreparedView> prepareViews(std::span<const View> views, const Progre
 
 double overlapShare(const PreparedView& from, const PreparedView& to, const Pose& T_to_from, const PairGates& gates,
                     std::size_t count) {
-  const auto ids = thinned(allIndices(from.points.size()), count);
-  if (ids.empty()) return 0.0;
-  std::vector<std::optional<GridPosition>> positions(ids.size());
-  std::vector<Pair> pairs(ids.size());
-  findPairs(from.points, ids, T_to_from, to.surface, gates, positions, Progress(), pairs);
-  const auto met = static_cast<std::size_t>(
-      std::count_if(pairs.begin(), pairs.end(), [](const Pair& p) { return p.state == PairState::Paired; }));
-  return met < kFewest ? 0.0 : static_cast<double>(met) / static_cast<double>(ids.size());
+  return shareThatMeets(from, thinned(allIndices(from.points.size()), count), to, T_to_from, gates);
 }
 
 std::vector<ViewLink> findLinks(std::span<const PreparedView> views, std::span<const Pose> poses,
                                 const PairGates& gates, double minOverlap, std::size_t points, std::size_t leastPoints,
                                 const Progress& progress) {
   const std::size_t n = views.size();
+  const std::vector<PointIds> tried = someOfEach(views, kTried, progress.part(0.0, 0.1));
   std::vector<double> overlap(n * n, 0.0);
-  parallelChunks(n * n, 1, progress.part(0.0, 0.5), [&](std::size_t k, std::size_t) {
+  parallelChunks(n * n, 1, progress.part(0.1, 0.5), [&](std::size_t k, std::size_t) {
     const std::size_t i = k / n;
     const std::size_t j = k % n;
-    if (i != j) overlap[k] = overlapShare(views[i], views[j], poses[j].inverse() * poses[i], gates, kTried);
+    if (i != j) overlap[k] = shareThatMeets(views[i], tried[i], views[j], poses[j].inverse() * poses[i], gates);
   });
   std::vector<ViewLink> links;
   for (std::size_t k = 0; k < n * n; ++k) {
@@ -86,9 +101,10 @@ std::vector<ViewLink> findLinks(std::span<const PreparedView> views, std::span<c
     links.push_back(std::move(link));
   }
   const std::size_t share = std::max(leastPoints, points / std::max<std::size_t>(links.size(), 1));
-  parallelChunks(links.size(), 1, progress.part(0.5, 1.0), [&](std::size_t l, std::size_t) {
+  const std::vector<PointIds> lookAt = someOfEach(views, kLookAt * share, progress.part(0.5, 0.6));
+  parallelChunks(links.size(), 1, progress.part(0.6, 1.0), [&](std::size_t l, std::size_t) {
     const Pose T_to_from = poses[links[l].to].inverse() * poses[links[l].from];
-    keepSeen(views[links[l].from], views[links[l].to], T_to_from, gates, share, links[l]);
+    keepSeen(views[links[l].from], lookAt[links[l].from], views[links[l].to], T_to_from, gates, share, links[l]);
   });
   return links;
 }

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <cstdio>
+#include <map>
 #include <string_view>
 
 #include "acquisition/further_scan.h"
@@ -139,6 +140,19 @@ std::string positionText(const KeptScan& scan) {
   return scan.station().position ? std::to_string(*scan.station().position) : "–";
 }
 
+// Of scans that are not worked on whole, by how much: every scan of a scanner is thinned alike.
+std::string thinningHtml(const AcquisitionState& state) {
+  std::map<int, std::size_t> scans;
+  for (const KeptScan& scan : state.scans)
+    if (scan.record.everyNth > 1) ++scans[scan.record.everyNth];
+  std::string html;
+  for (const auto& [everyNth, count] : scans)
+    html += "<p class=\"faint\">Of " + std::to_string(count) + (count == 1 ? " scan " : " scans ") +
+            thinningText(everyNth) +
+            " was worked on, see the setting triangulation.spacing; the session file has all samples.</p>\n";
+  return html;
+}
+
 std::string viewsHtml(const AcquisitionState& state) {
   std::string html =
       "<h2>Views</h2>\n<p class=\"faint\">Void and overlap as promised by the plan, weighted by confidence; areas "
@@ -160,7 +174,7 @@ std::string viewsHtml(const AcquisitionState& state) {
   for (const KeptScan* scan : scansOf(state, ScanStatus::LeftOut))
     html += row({"left out", positionText(*scan), std::to_string(scan->record.samples), "", "", "", "",
                  figure(scan->record.registration.rms, 3), "by the operator"});
-  return html + "</table>\n";
+  return html + "</table>\n" + thinningHtml(state);
 }
 
 std::string objectiveFigure(const Plan& plan, const std::string& when) {

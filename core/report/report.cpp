@@ -65,6 +65,11 @@ void addCut(Json& json, const ScanRecord& record) {
   }
 }
 
+// What of the samples is worked on, where it is not all.
+void addThinning(Json& json, const ScanRecord& record) {
+  if (record.everyNth > 1) json["worked_on"] = {{"every_nth_row_and_column", record.everyNth}};
+}
+
 Json viewJson(const KeptScan& scan, std::size_t index) {
   const ScanRecord& record = scan.record;
   Json json{{"index", index},
@@ -78,6 +83,7 @@ Json viewJson(const KeptScan& scan, std::size_t index) {
             {"achieved", {{"new_area_mm2", record.newArea}, {"overlap_mm2", record.overlapArea}}},
             {"registration", registrationJson(record.registration)}};
   addCut(json, record);
+  addThinning(json, record);
   addReading(json, record);
   if (record.planAfter) {
     json["objective"] = objectiveJson(*record.planAfter);
@@ -98,6 +104,7 @@ Json otherScanJson(const KeptScan& scan) {
             {"position", positionOf(scan)},
             {"registration", registrationJson(scan.record.registration)}};
   addCut(json, scan.record);
+  addThinning(json, scan.record);
   addReading(json, scan.record);
   return json;
 }

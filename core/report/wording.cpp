@@ -142,6 +142,13 @@ Phrase phraseOf(const Command& command) {
   return std::visit([](const auto& c) { return phraseFor(c); }, command);
 }
 
+std::string thinningText(int everyNth) {
+  if (everyNth <= 1) return "every row and column";
+  const int last = everyNth % 100 / 10 == 1 ? 0 : everyNth % 10;
+  const char* ending = last == 1 ? "st" : last == 2 ? "nd" : last == 3 ? "rd" : "th";
+  return "every " + std::to_string(everyNth) + ending + " row and column";
+}
+
 std::string_view sentenceOf(Termination termination) {
   switch (termination) {
     case Termination::Running:

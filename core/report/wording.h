@@ -35,6 +35,9 @@ requires requires(const Result& result) {
   return english(phraseOf(result));
 }
 
+/// What of a scan is worked on: "every 2nd row and column"; "every row and column" of 1.
+[[nodiscard]] std::string thinningText(int everyNth);
+
 /// Why an acquisition ended, as a sentence.
 [[nodiscard]] std::string_view sentenceOf(Termination termination);
 

@@ -16,22 +16,31 @@ constexpr double kSlack = 1e-6;
 constexpr double kDepth = 1e3;
 
 // The rays, and the rim half a cell outside of them: every ray of the widened grid is a convex combination of these.
-std::vector<RangingRay> raysWithRim(const RayGrid& rays) {
-  std::vector<RangingRay> all;
-  all.reserve(rays.size() + 2 * static_cast<std::size_t>(rays.rows() + rays.columns()) + 8);
-  for (std::size_t i = 0; i < rays.size(); ++i) all.push_back(rays.ray(i));
-  const double top = -0.5;
-  const double bottom = rays.rows() - 0.5;
-  const double left = -0.5;
-  const double right = rays.columns() - 0.5;
-  for (int r = 0; r < rays.rows(); ++r)
-    for (const double c : {left, right}) all.push_back(rays.rayAt({static_cast<double>(r), c}));
-  for (int c = 0; c < rays.columns(); ++c)
-    for (const double r : {top, bottom}) all.push_back(rays.rayAt({r, static_cast<double>(c)}));
-  for (const double r : {top, bottom})
-    for (const double c : {left, right}) all.push_back(rays.rayAt({r, c}));
-  return all;
-}
+class RaysWithRim {
+ public:
+  explicit RaysWithRim(const RayGrid& rays) : rays_(rays) {
+    const double top = -0.5;
+    const double bottom = rays.rows() - 0.5;
+    const double left = -0.5;
+    const double right = rays.columns() - 0.5;
+    for (int r = 0; r < rays.rows(); ++r)
+      for (const double c : {left, right}) rim_.push_back(rays.rayAt({static_cast<double>(r), c}));
+    for (int c = 0; c < rays.columns(); ++c)
+      for (const double r : {top, bottom}) rim_.push_back(rays.rayAt({r, static_cast<double>(c)}));
+    for (const double r : {top, bottom})
+      for (const double c : {left, right}) rim_.push_back(rays.rayAt({r, c}));
+  }
+
+  template <typename Visit>
+  void each(const Visit& visit) const {
+    for (std::size_t i = 0; i < rays_.size(); ++i) visit(rays_.ray(i));
+    for (const RangingRay& ray : rim_) visit(ray);
+  }
+
+ private:
+  const RayGrid& rays_;
+  std::vector<RangingRay> rim_;
+};
 
 Vec3 pointOn(const RangingRay& ray) {
   return ray.origin + kDepth * ray.direction;
@@ -40,21 +49,22 @@ Vec3 pointOn(const RangingRay& ray) {
 }  // namespace
 
 std::vector<HalfSpace> boundingHalfSpaces(const RayGrid& rays) {
-  const std::vector<RangingRay> all = raysWithRim(rays);
+  const RaysWithRim all(rays);
   Vec3 forward = Vec3::Zero();
-  for (const RangingRay& ray : all) forward += ray.direction;
+  all.each([&](const RangingRay& ray) { forward += ray.direction; });
   forward.normalize();
   double leastForward = 1.0;
-  for (const RangingRay& ray : all) leastForward = std::min(leastForward, forward.dot(ray.direction));
+  all.each([&](const RangingRay& ray) { leastForward = std::min(leastForward, forward.dot(ray.direction)); });
   if (!(leastForward > 0.01)) return {};
 
   // Leans the normal forward until no ray leaves the half-space, then moves the plane behind every origin.
   auto enclosing = [&](Vec3 normal) {
     double lean = 0.0;
-    for (const RangingRay& ray : all) lean = std::max(lean, -normal.dot(ray.direction) / forward.dot(ray.direction));
+    all.each(
+        [&](const RangingRay& ray) { lean = std::max(lean, -normal.dot(ray.direction) / forward.dot(ray.direction)); });
     normal += (lean > 0.0 ? lean + 1e-12 : 0.0) * forward;
     double offset = std::numeric_limits<double>::infinity();
-    for (const RangingRay& ray : all) offset = std::min(offset, normal.dot(ray.origin));
+    all.each([&](const RangingRay& ray) { offset = std::min(offset, normal.dot(ray.origin)); });
     return HalfSpace{normal, offset - kSlack};
   };
 

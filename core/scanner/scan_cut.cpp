@@ -5,6 +5,7 @@
 #include <numeric>
 #include <utility>
 
+#include "base/parallel.h"
 #include "scanner/sample_spacing.h"
 
 namespace vantage {
@@ -24,6 +25,8 @@ constexpr int kFringe = 2;
 constexpr int kFewNeighbours = 1;
 // A piece hangs together across one sample that is lost: rods are as thin as that.
 constexpr int kIslandReach = 2;
+// Rays that are worked on before it is asked whether to go on.
+constexpr std::size_t kGrain = 65'536;
 
 struct Step {
   int row;
@@ -159,14 +162,18 @@ std::vector<std::uint8_t> near(const RangeImage& image, const ViewingVolume& vol
 }
 
 // Takes out what hangs together with too little.
-void cutIslands(std::vector<CutReason>& reasons, const Neighbourhood& neighbourhood, const CutOptions& options) {
+void cutIslands(std::vector<CutReason>& reasons, const Neighbourhood& neighbourhood, const CutOptions& options,
+                const Progress& progress) {
   std::vector<std::uint8_t> seen(reasons.size(), 0);
   std::vector<std::size_t> piece;
   for (std::size_t first = 0; first < reasons.size(); ++first) {
+    if (first % kGrain == 0) progress.checkpoint(static_cast<double>(first) / static_cast<double>(reasons.size()));
     if (reasons[first] != CutReason::Kept || seen[first] != 0) continue;
     piece.assign(1, first);
     seen[first] = 1;
     for (std::size_t k = 0; k < piece.size(); ++k) {
+      if (k % kGrain == kGrain - 1)
+        progress.checkpoint(static_cast<double>(first) / static_cast<double>(reasons.size()));
       neighbourhood.eachNeighbour(piece[k], kIslandReach, [&](std::size_t j) {
         if (reasons[j] != CutReason::Kept || seen[j] != 0) return;
         seen[j] = 1;
@@ -220,12 +227,13 @@ CutScene cutSceneOf(const ScannerProfile& profile) {
   return {profile.viewingVolume, profile.breakdownAngle, profile.noise.rangeSigma};
 }
 
-double rangeSigmaOf(const RangeImage& image, std::span<const std::uint8_t> counts) {
+double rangeSigmaOf(const RangeImage& image, std::span<const std::uint8_t> counts, const Progress& progress) {
   // Of a - 2 b + c, by the standard deviation of each; and of the median of the absolute value.
   const double scale = 1.4826 / std::sqrt(6.0);
   std::vector<double> differences;
   const Neighbourhood neighbourhood(image, 1.0, 0.0);
   for (std::size_t i = 0; i < image.range.size(); ++i) {
+    if (i % kGrain == 0) progress.checkpoint(static_cast<double>(i) / static_cast<double>(image.range.size()));
     if (!image.valid(i) || (!counts.empty() && counts[i] == 0)) continue;
     for (const Step& step : {Step{0, 1}, Step{1, 0}}) {
       const auto before = neighbourhood.ray(i, step, -1);
@@ -239,27 +247,31 @@ double rangeSigmaOf(const RangeImage& image, std::span<const std::uint8_t> count
   return differences.empty() ? 0.0 : scale * median(differences);
 }
 
-std::vector<CutReason> cutOf(const RangeImage& image, const ScanCut& cut) {
+std::vector<CutReason> cutOf(const RangeImage& image, const ScanCut& cut, const Progress& progress) {
   validate(image);
   const CutOptions& options = cut.options;
   const bool hasVolume = options.volume && cut.scene.volume && isPlaced(image);
   const ViewingVolume volume = cut.scene.volume.value_or(ViewingVolume{});
   // A wall far behind is noisier than what stands on the table.
-  const double sigma = std::max(cut.scene.rangeSigma,
-                                rangeSigmaOf(image, hasVolume ? near(image, volume) : std::vector<std::uint8_t>{}));
+  const double sigma = std::max(
+      cut.scene.rangeSigma,
+      rangeSigmaOf(image, hasVolume ? near(image, volume) : std::vector<std::uint8_t>{}, progress.part(0.0, 0.3)));
   const Neighbourhood neighbourhood(image, options.flyingJump / std::cos(cut.scene.breakdownAngle),
                                     kJumpSigmas * sigma);
   const VolumeCut volumeCut(image, volume, options, sigma);
 
   std::vector<CutReason> reasons(image.range.size(), CutReason::NoSample);
-  for (std::size_t i = 0; i < reasons.size(); ++i) {
-    if (!image.valid(i)) continue;
-    reasons[i] = hasVolume ? volumeCut.of(i) : CutReason::Kept;
-    // Of front and back one may lie outside of the volume.
-    if (reasons[i] == CutReason::Kept && options.flyingPixels && neighbourhood.isFlying(i))
-      reasons[i] = CutReason::Flying;
-  }
-  if (options.isolated || options.smallestIsland > 1) cutIslands(reasons, neighbourhood, options);
+  parallelChunks(reasons.size(), kGrain, progress.part(0.3, 0.6), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      if (!image.valid(i)) continue;
+      reasons[i] = hasVolume ? volumeCut.of(i) : CutReason::Kept;
+      // Of front and back one may lie outside of the volume.
+      if (reasons[i] == CutReason::Kept && options.flyingPixels && neighbourhood.isFlying(i))
+        reasons[i] = CutReason::Flying;
+    }
+  });
+  if (options.isolated || options.smallestIsland > 1)
+    cutIslands(reasons, neighbourhood, options, progress.part(0.6, 1.0));
   return reasons;
 }
 
@@ -281,9 +293,9 @@ RangeImage withoutCut(const RangeImage& image, std::span<const CutReason> reason
   return cut;
 }
 
-CutImage cutImage(const std::shared_ptr<const RangeImage>& image, const ScanCut& cut) {
+CutImage cutImage(const std::shared_ptr<const RangeImage>& image, const ScanCut& cut, const Progress& progress) {
   if (cutsNothing(cut.options)) return {image, {}};
-  const std::vector<CutReason> reasons = cutOf(*image, cut);
+  const std::vector<CutReason> reasons = cutOf(*image, cut, progress);
   const CutCounts counts = countsOf(reasons);
   if (cutSamples(counts) == 0) return {image, counts};
   return {std::make_shared<const RangeImage>(withoutCut(*image, reasons)), counts};

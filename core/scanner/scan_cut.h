@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/progress.h"
 #include "scanner/profile.h"
 #include "scanner/range_image.h"
 
@@ -67,7 +68,8 @@ struct ScanCut {
 /// Standard deviation of the samples along their rays [mm], as the second differences of neighbours tell: the median of
 /// the grid, so that edges do not count. 0 without three samples in a row.
 /// @param counts per ray whether its sample counts; empty: all do
-[[nodiscard]] double rangeSigmaOf(const RangeImage& image, std::span<const std::uint8_t> counts = {});
+[[nodiscard]] double rangeSigmaOf(const RangeImage& image, std::span<const std::uint8_t> counts = {},
+                                  const Progress& progress = {});
 
 /// Why every ray's sample is not used, in this order: a sample outside of the viewing volume is one whatever else it
 /// is. The volume stands on the table plane z = 0 about the z axis of the table's frame, see
@@ -77,8 +79,8 @@ struct ScanCut {
 /// one farther, both by a jump: surface up to the breakdown angle has none, and a rod before a wall has two that are
 /// farther. Pieces are what hangs together in the grid without a jump, across one lost sample at most, once all others
 /// are taken out.
-/// @throws InvalidInput for a range image that is not one
-[[nodiscard]] std::vector<CutReason> cutOf(const RangeImage& image, const ScanCut& cut);
+/// @throws InvalidInput for a range image that is not one; Cancelled
+[[nodiscard]] std::vector<CutReason> cutOf(const RangeImage& image, const ScanCut& cut, const Progress& progress = {});
 
 /// How many rays are of each reason.
 using CutCounts = std::array<std::size_t, kCutReasons>;
@@ -94,7 +96,8 @@ struct CutImage {
   std::shared_ptr<const RangeImage> image;
   CutCounts counts{};  ///< all 0 where nothing is ever cut
 };
-/// The same image where nothing is cut. @throws InvalidInput for a range image that is not one
-[[nodiscard]] CutImage cutImage(const std::shared_ptr<const RangeImage>& image, const ScanCut& cut);
+/// The same image where nothing is cut. @throws InvalidInput for a range image that is not one; Cancelled
+[[nodiscard]] CutImage cutImage(const std::shared_ptr<const RangeImage>& image, const ScanCut& cut,
+                                const Progress& progress = {});
 
 }  // namespace vantage

@@ -13,6 +13,7 @@ struct ThinningOptions {
   /// Samples nearer to each other than this are thinned [mm]; 0: none are. Unset: those of a scanner with more than
   /// kUsefulRays rays.
   std::optional<double> spacing;
+  bool operator==(const ThinningOptions&) const = default;
 };
 
 /// A scan is worked on with no more rays than this unless a spacing is given: what registration, model and plan gain

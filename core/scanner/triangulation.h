@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "base/progress.h"
 #include "geometry/mesh.h"
 #include "scanner/range_image.h"
 
@@ -32,7 +33,8 @@ struct ViewMesh {
 
 /// Turns grid neighbours into triangles unless an edge is a depth discontinuity or the triangle is too steep.
 /// No edge has more than two triangles; all are oriented toward the scanner.
-/// @throws InvalidInput for a range image that is not one.
-[[nodiscard]] ViewMesh triangulate(const RangeImage& image, const TriangulationOptions& options);
+/// @throws InvalidInput for a range image that is not one; Cancelled
+[[nodiscard]] ViewMesh triangulate(const RangeImage& image, const TriangulationOptions& options,
+                                   const Progress& progress = {});
 
 }  // namespace vantage

@@ -224,7 +224,11 @@ Session Session::open(const std::string& path, SessionAccess access, const Progr
   parts->losses = std::move(losses);
   parts->restore();
   // What is to be gone on with is held against its hash at once.
-  if (access == SessionAccess::Write) static_cast<void>(parts->history.state(parts->history.cursor()));
+  if (access == SessionAccess::Write) {
+    parts->states.setProgress(progress.part(0.5, 1.0));
+    static_cast<void>(parts->history.state(parts->history.cursor()));
+    parts->states.setProgress({});
+  }
   progress.checkpoint(1.0);
   return Session(std::move(parts));
 }

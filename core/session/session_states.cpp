@@ -6,6 +6,7 @@
 #include "acquisition/apply_command.h"
 #include "acquisition/steps.h"
 #include "base/errors.h"
+#include "base/parallel.h"
 #include "session/state_hash.h"
 
 namespace vantage {
@@ -149,12 +150,41 @@ std::shared_ptr<const Plan> SessionStates::plan(std::int64_t step) {
   }
 }
 
-CutImage SessionStates::cut(std::int64_t number, const ScanCut& cut) {
-  KnownCut& known = cuts_[number];
-  if (auto image = known.image.lock(); image && known.options == cut.options) return {image, known.counts};
-  CutImage made = cutImage(scan(number), cut);
-  known = {cut.options, made.image, made.counts};
-  return made;
+UsedImage SessionStates::used(std::int64_t number, const ScanUse& use, const Progress& progress) {
+  KnownUse& known = uses_[number];
+  UsedImage used = known.rest;
+  used.image = known.image.lock();
+  if (used.image && known.cut == use.cut.options && known.thinning == use.thinning) return used;
+  used = usedImage(scan(number), use, thinnedRays_.lock(), progress);
+  if (used.everyNth > 1) thinnedRays_ = used.image->rays;
+  known = {use.cut.options, use.thinning, used.image, {nullptr, used.cut, used.samples, used.everyNth}};
+  return used;
+}
+
+std::vector<View> SessionStates::piecesOf(const StateOutline& outline, const StepOptions& options) {
+  std::vector<View> pieces;
+  std::vector<std::int64_t> scans;
+  for (const OutlinedScan& o : outline.scans) {
+    const bool hasMesh = o.status == ScanStatus::In || o.status == ScanStatus::LeftOut;
+    if (!hasMesh || meshes_[o.scan].mesh.lock()) continue;
+    const auto share = [&](std::size_t i) {
+      return 0.5 * static_cast<double>(i) / static_cast<double>(outline.scans.size());
+    };
+    const Progress one = progress_.part(share(scans.size()), share(scans.size() + 1));
+    one.checkpoint(0.0);
+    try {
+      pieces.push_back({used(o.scan, {options.cut, options.thinning}, one).image, nullptr});
+      scans.push_back(o.scan);
+    } catch (const InvalidInput&) {
+      // It is named when the scan is looked for.
+    }
+  }
+  parallelChunks(scans.size(), 1, progress_.part(0.5, 1.0), [&](std::size_t i, std::size_t) {
+    pieces[i].mesh = std::make_shared<const ViewMesh>(
+        triangulate(*pieces[i].image, options.triangulation, progress_.part(0.5, 0.5).withThreads(1)));
+  });
+  for (std::size_t i = 0; i < scans.size(); ++i) meshes_[scans[i]] = {pieces[i].image, pieces[i].mesh};
+  return pieces;
 }
 
 std::shared_ptr<const ViewMesh> SessionStates::meshOf(std::int64_t scan, const std::shared_ptr<const RangeImage>& image,
@@ -169,9 +199,10 @@ std::shared_ptr<const ViewMesh> SessionStates::meshOf(std::int64_t scan, const s
 std::optional<KeptScan> SessionStates::keptScan(const OutlinedScan& outlined, const StepOptions& options) {
   try {
     KeptScan kept{outlined.scan, outlined.status, {}, *outlined.record};
-    const CutImage image = cut(outlined.scan, options.cut);
-    kept.view.image = image.image;
-    kept.record.cut = image.counts;
+    const UsedImage used = this->used(outlined.scan, {options.cut, options.thinning}, progress_.part(0.5, 0.5));
+    kept.view.image = used.image;
+    kept.record.cut = used.cut;
+    kept.record.everyNth = used.everyNth;
     kept.view.T_object_scanner = outlined.T_object_scanner;
     if (outlined.status == ScanStatus::In || outlined.status == ScanStatus::LeftOut)
       kept.view.mesh = meshOf(outlined.scan, kept.view.image, options.triangulation);
@@ -207,7 +238,7 @@ std::optional<AcquisitionState> SessionStates::replayed(const AcquisitionState& 
   try {
     const std::shared_ptr<const AcquisitionState> before = history.state(i - 1);
     const CommandInput input{[&](std::int64_t number) { return scan(number); }, nullptr};
-    AcquisitionState after = applyCommand(*before, entry.command, input, {});
+    AcquisitionState after = applyCommand(*before, entry.command, input, progress_);
     if (after.scans.size() != state.scans.size()) return std::nullopt;
     after.plan = state.plan;
     after.termination = state.termination;
@@ -231,13 +262,14 @@ AcquisitionState SessionStates::assembled(const History& history, const HistoryE
   if (profile_)
     state.settings.firstView = std::min(state.settings.firstView, static_cast<int>(profile_->workspace.size()) - 1);
   const StepOptions options = stepOptionsFor(state);
+  const std::vector<View> pieces = piecesOf(outline, options);
   for (const OutlinedScan& o : outline.scans)
     if (auto kept = keptScan(o, options)) state.scans.push_back(std::move(*kept));
 
   const std::vector<View> views = viewsOf(state);
   if (views.empty()) return state;
   const bool whole = views.size() == countScans(outline, ScanStatus::In);
-  state.model = whole ? modelOf(state, history, entry) : integrateViews(views, stepOptionsFor(state), {});
+  state.model = whole ? modelOf(state, history, entry) : integrateViews(views, stepOptionsFor(state), progress_);
   const auto held = plan(outline.planStep);
   if (held && whole) state.plan = held;
   return state;
@@ -266,13 +298,13 @@ std::shared_ptr<const Model> SessionStates::replayedModel(const AcquisitionState
     try {
       const std::shared_ptr<const AcquisitionState> before = history.state(i - 1);
       const CommandInput input{[&](std::int64_t number) { return scan(number); }, nullptr};
-      const AcquisitionState after = applyCommand(*before, history.entry(i).command, input, {});
+      const AcquisitionState after = applyCommand(*before, history.entry(i).command, input, progress_);
       if (after.model && vantage::fits(*after.model, views)) return after.model;
     } catch (const InvalidInput&) {
       // Then not.
     }
   }
-  return integrateViews(views, stepOptionsFor(state), {});
+  return integrateViews(views, stepOptionsFor(state), progress_);
 }
 
 // Says which steps made the record of a scan and the plan after it. A record is written again where a scan that waited
@@ -301,7 +333,11 @@ StateOutline SessionStates::outline(const AcquisitionState& state, const StateOu
 
 void SessionStates::remember(const StateOutline& outline, const AcquisitionState& state) {
   for (const KeptScan& scan : state.scans) {
-    cuts_[scan.number] = {state.settings.cut, scan.view.image, scan.record.cut};
+    uses_[scan.number] = {state.settings.cut,
+                          state.settings.thinning,
+                          scan.view.image,
+                          {nullptr, scan.record.cut, scan.record.samples, scan.record.everyNth}};
+    if (scan.record.everyNth > 1) thinnedRays_ = scan.view.image->rays;
     if (scan.view.mesh) meshes_[scan.number] = {scan.view.image, scan.view.mesh};
   }
   models_[outline.modelStep] = state.model;

@@ -9,6 +9,7 @@
 
 #include "acquisition/history.h"
 #include "acquisition/step_options.h"
+#include "base/progress.h"
 #include "session/loss.h"
 #include "session/session_store.h"
 
@@ -33,6 +34,9 @@ class SessionStates {
   /// Of the session: to be set before anything is asked for.
   void setProfile(std::shared_ptr<const ScannerProfile> profile) { profile_ = std::move(profile); }
   [[nodiscard]] const std::shared_ptr<const ScannerProfile>& profile() const { return profile_; }
+
+  /// Of what takes long; nothing is heard of it once it is reset to Progress().
+  void setProgress(const Progress& progress) { progress_ = progress; }
 
   /// Takes steps out of a history that name positions or stands which there are not.
   void dropImpossible(StoredHistory& history);
@@ -59,10 +63,11 @@ class SessionStates {
 
  private:
   /// What was made of a scan, for as long as somebody holds it.
-  struct KnownCut {
-    CutOptions options;
+  struct KnownUse {
+    CutOptions cut;
+    ThinningOptions thinning;
     std::weak_ptr<const RangeImage> image;
-    CutCounts counts{};
+    UsedImage rest;  // its image is unset
   };
   struct KnownMesh {
     std::weak_ptr<const RangeImage> image;  // that it is of
@@ -73,7 +78,10 @@ class SessionStates {
   [[nodiscard]] bool exists(std::optional<int> position) const;
   [[nodiscard]] std::shared_ptr<const RayGrid> raysOf(std::int64_t id);
   [[nodiscard]] bool fits(const Plan& plan) const;
-  [[nodiscard]] CutImage cut(std::int64_t scan, const ScanCut& cut);
+  [[nodiscard]] UsedImage used(std::int64_t scan, const ScanUse& use, const Progress& progress);
+  /// Makes the images and meshes of the scans of a state that are not in memory, on all threads; as long as they are
+  /// held, keptScan finds them. What is damaged is left to it.
+  [[nodiscard]] std::vector<View> piecesOf(const StateOutline& outline, const StepOptions& options);
   [[nodiscard]] std::shared_ptr<const ViewMesh> meshOf(std::int64_t scan,
                                                        const std::shared_ptr<const RangeImage>& image,
                                                        const TriangulationOptions& triangulation);
@@ -93,8 +101,10 @@ class SessionStates {
   SessionStore& store_;
   std::vector<Loss>& losses_;
   std::shared_ptr<const ScannerProfile> profile_;
+  Progress progress_;
   std::map<std::int64_t, std::weak_ptr<const RangeImage>> scans_;
-  std::map<std::int64_t, KnownCut> cuts_;
+  std::map<std::int64_t, KnownUse> uses_;
+  std::weak_ptr<const RayGrid> thinnedRays_;  // of the last scan that was thinned
   std::map<std::int64_t, KnownMesh> meshes_;
   std::map<std::int64_t, std::weak_ptr<const RayGrid>> rays_;
   std::map<std::int64_t, std::weak_ptr<const Model>> models_;

@@ -40,7 +40,9 @@ void validate(const Model& model, const RayIndex& rays, const VoidOptions& optio
 class BorderTopology {
  public:
   // Knows the triangles around vertices up to `rings` edges from the border.
-  BorderTopology(const Mesh& mesh, int rings) : border_(borderVertices(mesh)), near_(nearBorder(mesh, border_, rings)) {
+  BorderTopology(const Mesh& mesh, int rings, const Progress& progress)
+      : border_(borderVertices(mesh)), near_(nearBorder(mesh, border_, rings, progress.part(0.2, 0.7))) {
+    progress.checkpoint(0.7);
     Mesh part;
     part.vertices = mesh.vertices;
     part.triangles.reserve(near_.size());
@@ -61,9 +63,11 @@ class BorderTopology {
 
  private:
   // The triangles that touch a vertex so near, ascending.
-  static std::vector<std::uint32_t> nearBorder(const Mesh& mesh, std::vector<std::uint8_t> reached, int rings) {
+  static std::vector<std::uint32_t> nearBorder(const Mesh& mesh, std::vector<std::uint8_t> reached, int rings,
+                                               const Progress& progress) {
     const auto touches = [&](const Triangle& t) { return (reached[t[0]] | reached[t[1]] | reached[t[2]]) != 0; };
     for (int ring = 0; ring < rings; ++ring) {
+      progress.checkpoint(static_cast<double>(ring) / rings);
       std::vector<std::uint8_t> grown = reached;
       for (const Triangle& t : mesh.triangles)
         if (touches(t)) grown[t[0]] = grown[t[1]] = grown[t[2]] = 1;
@@ -86,11 +90,11 @@ class PatchBuilder {
  public:
   using Hints = std::vector<std::optional<GridPosition>>;
 
-  PatchBuilder(const Model& model, const RayIndex& rays, const VoidOptions& options)
+  PatchBuilder(const Model& model, const RayIndex& rays, const VoidOptions& options, const Progress& progress)
       : model_(model),
         options_(options),
-        topology_(model.mesh, std::max(0, options.normalRings)),
-        caster_(model.mesh),
+        topology_(model.mesh, std::max(0, options.normalRings), progress.part(0.0, 0.4)),
+        caster_(model.mesh, RayCaster::Precision::Fast, progress.part(0.4, 1.0)),
         rays_(rays),
         classifier_(caster_, rays_, {options.breakdownAngle, options.jumpFactor, options.shadowReach}) {}
 
@@ -221,13 +225,15 @@ VoidSurface buildVoidPatches(const Model& model, std::span<const View> views, co
   progress.checkpoint(0.0);
   const RayIndex rays(views);
   validate(model, rays, options);
-  const PatchBuilder builder(model, rays, options);
+  const PatchBuilder builder(model, rays, options, progress.part(0.0, 0.2));
   VoidSurface surface;
   surface.patches.resize(builder.edges().size());
-  parallelChunks(builder.edges().size(), kEdgesPerChunk, progress, [&](std::size_t begin, std::size_t end) {
-    PatchBuilder::Hints hints(views.size());
-    for (std::size_t i = begin; i < end; ++i) surface.patches[i] = builder.patch(builder.edges()[i], hints);
-  });
+  parallelChunks(builder.edges().size(), kEdgesPerChunk, progress.part(0.2, 1.0),
+                 [&](std::size_t begin, std::size_t end) {
+                   PatchBuilder::Hints hints(views.size());
+                   for (std::size_t i = begin; i < end; ++i)
+                     surface.patches[i] = builder.patch(builder.edges()[i], hints);
+                 });
   std::erase_if(surface.patches, [](const VoidPatch& p) { return p.width == 0.0; });
   for (const VoidPatch& p : surface.patches) {
     ++surface.counts[static_cast<std::size_t>(p.edgeClass)];

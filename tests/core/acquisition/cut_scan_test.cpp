@@ -1,7 +1,14 @@
 #include <gtest/gtest.h>
 
+#include <memory>
+#include <regex>
+#include <utility>
+#include <vector>
+
 #include "acquisition/steps.h"
 #include "acquisition/test_turn.h"
+#include "report/evaluation.h"
+#include "report/html_report.h"
 #include "report/report.h"
 #include "support/meshes.h"
 #include "support/scenes/small_scene.h"
@@ -20,9 +27,19 @@ AcquisitionSettings realSettings() {
   return settings;
 }
 
-AcquisitionState scanned(const Mesh& object, const AcquisitionSettings& settings, const std::vector<int>& positions) {
+// The small scanner with twice the rows and columns: what is left of every 2nd are the small scanner's.
+std::shared_ptr<const ScannerProfile> finerProfile() {
+  ProfileSource source = testing::smallProfileSource();
+  source.text =
+      std::regex_replace(source.text, std::regex("\"samples_per_stripe\": 61"), "\"samples_per_stripe\": 121");
+  source.text = std::regex_replace(source.text, std::regex("\"stripes\": 81"), "\"stripes\": 161");
+  return std::make_shared<const ScannerProfile>(parseProfile(source));
+}
+
+AcquisitionState scanned(const Mesh& object, const AcquisitionSettings& settings, const std::vector<int>& positions,
+                         std::shared_ptr<const ScannerProfile> profile = testing::smallProfile()) {
   AcquisitionState state;
-  state.profile = testing::smallProfile();
+  state.profile = std::move(profile);
   state.settings = settings;
   const Rig rig = testing::simulation(object, state.profile, {1, true});
   for (const int position : positions) {
@@ -73,6 +90,38 @@ TEST(CutScan, ATestTurnLooksAtTheObjectAlone) {
               0.01 * static_cast<double>(alone.samples));
   EXPECT_EQ(cut.registration.verdict, alone.registration.verdict);
   EXPECT_NEAR(cut.measured, alone.measured, radians(0.3));
+}
+
+TEST(CutScan, TheReportSaysWhatOfAThinnedScanIsWorkedOn) {
+  const AcquisitionState whole = scanned(testing::smallObject(), {}, {0});
+  AcquisitionSettings settings;
+  settings.thinning.spacing = 2.9 * whole.scans[0].view.mesh->spacing;
+  const AcquisitionState thinned = scanned(testing::smallObject(), settings, {0});
+  EXPECT_EQ(thinned.scans[0].record.everyNth, 2);
+  EXPECT_EQ(thinned.scans[0].record.samples, whole.scans[0].record.samples) << "of the scan as it came";
+  const auto report = makeReport(thinned, "test");
+  EXPECT_EQ(report["views"][0]["worked_on"]["every_nth_row_and_column"], 2);
+  EXPECT_FALSE(makeReport(whole, "test")["views"][0].contains("worked_on"));
+  EXPECT_NE(makeHtmlReport(thinned, {"test", {}, {}}).find("every 2nd row and column"), std::string::npos);
+}
+
+TEST(CutScan, AThinnedModelIsAsTrueAsItsSpacing) {
+  const std::vector<int> positions{0, 2, 4, 6};
+  AcquisitionSettings settings;
+  const AcquisitionState whole = scanned(testing::smallObject(), settings, positions, finerProfile());
+  const double spacing = whole.scans[0].view.mesh->spacing;
+  settings.thinning.spacing = 2.9 * spacing;
+  const AcquisitionState thinned = scanned(testing::smallObject(), settings, positions, finerProfile());
+  ASSERT_EQ(countScans(whole, ScanStatus::In), positions.size());
+  ASSERT_EQ(countScans(thinned, ScanStatus::In), positions.size());
+  for (const KeptScan& scan : thinned.scans) EXPECT_EQ(scan.record.everyNth, 2);
+  const auto judged = [&](const AcquisitionState& state) {
+    return evaluate(state.model->mesh, testing::smallObject(), *state.profile, {}, {});
+  };
+  const Evaluation all = judged(whole);
+  const Evaluation some = judged(thinned);
+  EXPECT_LT(some.rms, all.rms + 0.1 * spacing);
+  EXPECT_GT(some.coverage, all.coverage - 0.05) << "a rim of one spacing about every border";
 }
 
 }  // namespace

@@ -90,6 +90,18 @@ TEST(KeptScan, IsTriangulatedWhereItWasReached) {
   EXPECT_GT(kept.record.triangles, 100U);
 }
 
+TEST(KeptScan, IsWorkedOnAsThinlyAsTheOptionsSay) {
+  const NumberedScan scan = recordedScans({3})[0];
+  const KeptScan all = keepAsView(scan, {}, {});
+  EXPECT_EQ(all.view.image, scan.image);
+  const KeptScan some = keepAsView(scan, {{}, {2.8 * all.view.mesh->spacing}}, {});
+  EXPECT_EQ(some.record.samples, scan.image->sampleCount());
+  EXPECT_LT(some.view.image->rays->size(), scan.image->rays->size() / 3);
+  EXPECT_NEAR(some.view.mesh->spacing, 2.0 * all.view.mesh->spacing, 0.2 * all.view.mesh->spacing);
+  const KeptScan next = keepAsView(scan, {{}, {2.8 * all.view.mesh->spacing}}, {}, some.view.image->rays);
+  EXPECT_EQ(next.view.image->rays, some.view.image->rays);
+}
+
 TEST(MemoryJournal, HandsOutTheLastScanThatNoCommandUsed) {
   const NumberedScan scan = recordedScans({3})[0];
   MemoryJournal journal(testing::smallProfile(), {});

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <stop_token>
+#include <string_view>
 #include <vector>
 
 #include "base/errors.h"
@@ -212,6 +214,19 @@ TEST(RayCaster, DegenerateAndBrokenTrianglesAreNotHit) {
 TEST(RayCaster, RefusesAnIndexOutOfRange) {
   EXPECT_THROW(RayCaster(Mesh{{Vec3(0, 0, 0)}, {{0, 0, 1}}}), InvalidInput);
   EXPECT_THROW(RayCaster(Mesh{{}, {{0, 1, 2}}}), InvalidInput);
+}
+
+TEST(RayCaster, CanBeStoppedWhileItIsMadeReady) {
+  const Mesh mesh = makeSphere(300, 300, Vec3::Zero());
+  int reports = 0;
+  std::stop_source stop;
+  const Progress progress(
+      [&](double, std::string_view) {
+        if (++reports == 2) stop.request_stop();
+      },
+      stop.get_token(), 1);
+  EXPECT_THROW(RayCaster(mesh, RayCaster::Precision::Fast, progress), Cancelled);
+  EXPECT_GE(reports, 2);
 }
 
 }  // namespace

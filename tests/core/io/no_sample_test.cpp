@@ -4,7 +4,9 @@
 
 #include <cmath>
 #include <functional>
+#include <stop_token>
 
+#include "base/errors.h"
 #include "geometry/mesh.h"
 
 namespace vantage {
@@ -96,6 +98,23 @@ TEST(NoSample, IsNoSinglePointAtTheOrigin) {
   SampleGrid grid = capBefore([](int r, int c) { return Vec3(c, r, 300.0 + 0.001 * r * c); });
   grid.points[3] = Vec3::Zero();
   EXPECT_EQ(dropNoSamples(grid, {}).dropped, 0U);
+}
+
+TEST(NoSample, OfMarksThatAreAsFrequentIsEveryOne) {
+  SampleGrid grid = capBefore([](int r, int) { return r % 2 == 0 ? Vec3(-1, -1, 300) : Vec3(5, 2, 300); });
+  EXPECT_EQ(dropNoSamples(grid, {}).dropped, outside());
+}
+
+TEST(NoSample, IsAPointWhicheverSignItsZerosHave) {
+  SampleGrid grid = capBefore([](int, int c) { return Vec3(c % 2 == 0 ? 0.0 : -0.0, 7, 300); });
+  EXPECT_EQ(dropNoSamples(grid, {}).dropped, outside());
+}
+
+TEST(NoSample, CanBeStopped) {
+  std::stop_source stop;
+  stop.request_stop();
+  SampleGrid grid = capBefore([](int, int) { return Vec3::Zero(); });
+  EXPECT_THROW(static_cast<void>(dropNoSamples(grid, {}, Progress({}, stop.get_token(), 1))), Cancelled);
 }
 
 }  // namespace

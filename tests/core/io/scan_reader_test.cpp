@@ -159,7 +159,7 @@ TEST(ScanReader, AsksForAUnitThatTheNumbersDoNotTell) {
   const auto scans = read({plyOf(grid, {1.0 / 25.4})}, options);
   EXPECT_EQ(scans[0].reading.unitKnownBy, KnownBy::Operator);
   expectSeen(scans[0], grid, -Vec3::UnitZ());
-  const auto said = read({plyOf(grid, {0.05, {}, {}, true, false, "obj_info unit_mm 2\n"})});
+  const auto said = read({plyOf(grid, {0.05, Vec3::Zero(), {}, true, false, "obj_info unit_mm 2\n"})});
   EXPECT_EQ(said[0].reading.unit, 2.0);
   EXPECT_EQ(said[0].reading.unitKnownBy, KnownBy::File);
 }
@@ -202,7 +202,7 @@ TEST(ScanReader, TakesOffAnOffsetFarFromTheOriginOnceForAllScans) {
 
 TEST(ScanReader, FindsRowsAndColumnsExchanged) {
   SeenGrid grid = seenBy(kForward, 20.0);
-  const auto scans = read({plyOf(grid, {1.0, {}, {}, true, true})});
+  const auto scans = read({plyOf(grid, {1.0, Vec3::Zero(), {}, true, true})});
   EXPECT_TRUE(scans[0].reading.exchanged);
   EXPECT_EQ(scans[0].image.rays->rows(), 60);
   expectSeen(scans[0], grid, Vec3::UnitZ());
@@ -211,12 +211,12 @@ TEST(ScanReader, FindsRowsAndColumnsExchanged) {
 
 TEST(ScanReader, ReadsAVertexPerCellWithoutARangeGrid) {
   const SeenGrid grid = seenBy(kBackward, 20.0);
-  const auto scans = read({plyOf(grid, {0.001, {}, Vec3::Zero(), false})});
+  const auto scans = read({plyOf(grid, {0.001, Vec3::Zero(), Vec3::Zero(), false})});
   EXPECT_EQ(scans[0].reading.noSample, NoSampleMark::Zero);
   EXPECT_EQ(scans[0].reading.dropped,
             static_cast<std::size_t>(std::count(grid.cells.begin(), grid.cells.end(), std::nullopt)));
   expectSeen(scans[0], grid, -Vec3::UnitZ());
-  std::string text = plyOf(grid, {0.001, {}, Vec3::Zero(), false});
+  std::string text = plyOf(grid, {0.001, Vec3::Zero(), Vec3::Zero(), false});
   text.replace(text.find("num_rows 60"), 11, "num_rows 61");
   expectError<InvalidInput>([&] { read({text}); }, {"num_rows x num_cols", "one vertex per cell"});
 }

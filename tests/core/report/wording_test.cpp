@@ -55,5 +55,14 @@ TEST(Wording, SaysThatWhatIsBelowTheThresholdMayStillBeScanned) {
             sentenceOf(EdgeReason::Answered, PlanOutcome::Finished));
 }
 
+TEST(Wording, SaysWhatOfAScanIsWorkedOn) {
+  EXPECT_EQ(thinningText(1), "every row and column");
+  EXPECT_EQ(thinningText(2), "every 2nd row and column");
+  EXPECT_EQ(thinningText(3), "every 3rd row and column");
+  EXPECT_EQ(thinningText(4), "every 4th row and column");
+  EXPECT_EQ(thinningText(12), "every 12th row and column");
+  EXPECT_EQ(thinningText(21), "every 21st row and column");
+}
+
 }  // namespace
 }  // namespace vantage

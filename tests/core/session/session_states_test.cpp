@@ -149,6 +149,30 @@ TEST_F(SessionStatesTest, AnOutlineNamesTheStepsThatMadeWhatIsNew) {
   EXPECT_EQ(other.planStep, 0);
 }
 
+TEST(SessionStates, WorkOnScansAsThinlyAsTheyDidAndKeepThemWhole) {
+  const testing::TemporaryFolder folder;
+  AcquisitionSettings settings;
+  settings.maxViews = 2;
+  settings.thinning.spacing = 5.6;
+  std::uint64_t hash = 0;
+  std::size_t raysLeft = 0;
+  {
+    Session session = testing::createSmallSession(folder.file("thin.vantage"), settings);
+    const AcquisitionState state = testing::runSmallSession(session);
+    hash = stateHash(state);
+    raysLeft = state.scans[0].view.image->rays->size();
+    EXPECT_EQ(state.scans[0].view.image->rays, state.scans[1].view.image->rays);
+  }
+  const Session session = Session::open(folder.file("thin.vantage"), SessionAccess::Write);
+  const auto state = session.state();
+  EXPECT_EQ(stateHash(*state), hash);
+  EXPECT_TRUE(session.losses().empty());
+  EXPECT_EQ(state->scans[0].view.image->rays->size(), raysLeft);
+  EXPECT_EQ(state->scans[0].view.image->rays, state->scans[1].view.image->rays);
+  EXPECT_LT(raysLeft, session.profile()->rays->size() / 3);
+  EXPECT_EQ(session.scan(0)->rays, session.profile()->rays);
+}
+
 TEST(SessionStates, OfNoProfileAreOfRecordedScans) {
   EXPECT_EQ(SessionStates::parsed(std::nullopt), nullptr);
   EXPECT_THROW(static_cast<void>(SessionStates::parsed(ProfileSource{"x", "{}", {}})), InvalidInput);
