@@ -162,7 +162,7 @@ void SessionController::importScans(const ImportChoice& choice) {
 void SessionController::addScans(const RecordedScans& recorded) {
   if (!allowed(permissions().whyNotAddScans())) return;
   work_.begin<bool>(
-      Activity::Running, tr("Adding scans"),
+      Activity::Changing, tr("Adding scans"),
       [this, session = session_, setUp = setUp_, recorded](const Progress& progress) {
         Acquisition acquisition(*session, {{}, setUp->images}, publisher(session));
         addRecordedScans(acquisition, recorded, *setUp, progress);

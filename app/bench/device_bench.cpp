@@ -116,9 +116,15 @@ void DeviceBench::look() {
         }
         return statesOf(use->rig());
       },
-      [this](JobResult<Found> result) {
+      [this, of = setUp_](JobResult<Found> result) {
         looking_ = false;
-        if (!result.value || !*result.value || !connected()) return;
+        if (!result.value || !connected() || of != setUp_) return;
+        if (!*result.value) {
+          // Those that failed elsewhere are kept no more.
+          if (work_.idle() && !devices_->lookAt(setUp_))
+            show({{}, tr("The devices were given up after a failure. Connect them again.")});
+          return;
+        }
         states_ = std::move(**result.value);
         emit changed();
       });

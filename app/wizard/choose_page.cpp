@@ -6,6 +6,7 @@
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLineEdit>
+#include <QSignalBlocker>
 #include <QStandardPaths>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -77,7 +78,7 @@ ChoosePage::ChoosePage(SessionController& controller, const QString& resources, 
   });
   connect(scanner_, &QComboBox::currentIndexChanged, this, [this] { emit changed(); });
   connect(folder_, &QLineEdit::textChanged, this, [this] { emit changed(); });
-  connect(&controller, &SessionController::setUpChanged, this, &ChoosePage::takeCut);
+  connect(&controller, &SessionController::setUpChanged, this, &ChoosePage::takeWhatWasTried);
   connect(&controller, &SessionController::sessionChanged, this, [this] {
     if (!this->controller().hasSession()) {
       if (object_->currentIndex() < 0) select(*object_, resources_ + QStringLiteral("/objects/") + kPreferredObject);
@@ -202,10 +203,15 @@ void ChoosePage::suggestCut() {
   form_->setSettings(settings);
 }
 
-// What was tried out on a test scan is what holds.
-void ChoosePage::takeCut() {
+// What was tried out on a test scan, and the calibration that was made, are what holds.
+void ChoosePage::takeWhatWasTried() {
+  if (controller().hasSession() || !controller().setUp()) return;
+  if (devices_->rig() != controller().choice().rig) {
+    const QSignalBlocker quiet(devices_);
+    devices_->setRig(controller().choice().rig);
+  }
   const CutOptions& cut = controller().choice().settings.cut;
-  if (controller().hasSession() || !controller().setUp() || form_->settings().cut == cut) return;
+  if (form_->settings().cut == cut) return;
   AcquisitionSettings settings = form_->settings();
   settings.cut = cut;
   form_->setSettings(settings);

@@ -46,7 +46,7 @@ class ChoosePage final : public WizardPage {
   void suggestFolder();
   void takeRig(const RigFile& file);
   void suggestCut();
-  void takeCut();
+  void takeWhatWasTried();
   void showObject();
   void showScanner();
   void allowChoice();

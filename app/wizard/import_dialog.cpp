@@ -110,10 +110,7 @@ ImportDialog::ImportDialog(SessionController& controller, Into into, QWidget* pa
   connect(folder_, &QLineEdit::textChanged, this, &ImportDialog::refresh);
   connect(poses_, &QLineEdit::textChanged, this, &ImportDialog::refresh);
   connect(buttons_, &QDialogButtonBox::accepted, this, &ImportDialog::bringIn);
-  connect(buttons_, &QDialogButtonBox::rejected, this, [this] {
-    if (controller_.idle()) return reject();
-    controller_.stop();
-  });
+  connect(buttons_, &QDialogButtonBox::rejected, this, &ImportDialog::reject);
   connect(&controller, &SessionController::activityChanged, this, &ImportDialog::refresh);
   connect(&controller, &SessionController::imported, this, &QDialog::accept);
   connect(&controller, &SessionController::importFailed, this, &ImportDialog::say);
@@ -183,6 +180,11 @@ void ImportDialog::suggest(const ImportChoice& choice) {
 void ImportDialog::addFiles(const QStringList& paths) {
   const bool first = list_->files().empty();
   list_->addFiles(paths, into_ == Into::OpenSession && first ? controller_.nextPosition() : std::nullopt);
+}
+
+void ImportDialog::reject() {
+  if (controller_.idle()) return QDialog::reject();
+  controller_.stop();
 }
 
 void ImportDialog::browsePoses() {

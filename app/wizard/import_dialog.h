@@ -28,6 +28,8 @@ class ImportDialog final : public QDialog {
   /// The profile that the scans may have been taken with, and the settings and folder of the new session.
   void suggest(const ImportChoice& choice);
   void addFiles(const QStringList& paths);
+  /// Stops what is under way, and closes only when nothing is.
+  void reject() override;
 
  private:
   void build();

@@ -91,6 +91,8 @@ void TestScanBox::refresh() {
   figures_->clear();
   picture_->setVisible(scan.has_value());
   if (!scan) {
+    setRole(*verdict_, "");
+    verdict_->setVisible(true);
     verdict_->setText(tr("A test scan shows what the scanner sees, and what of that is taken for the object."));
     return;
   }

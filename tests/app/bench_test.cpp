@@ -81,6 +81,16 @@ TEST_F(Bench, SaysWhatWentWrongAndHowTheDevicesAreThen) {
   EXPECT_EQ(devices_.table->opened, 2);
 }
 
+TEST_F(Bench, DevicesThatFailedInATestScanAreNotCalledReady) {
+  bench_.connectDevices();
+  devices_.table->failsNext = "was unplugged";
+  scans_.scan();
+  EXPECT_TRUE(failure_.contains("was unplugged"));
+  bench_.look();
+  EXPECT_FALSE(bench_.connected());
+  EXPECT_TRUE(bench_.failure().contains("Connect them again"));
+}
+
 TEST_F(Bench, ForgetsTheDevicesOfAnotherSetUp) {
   bench_.connectDevices();
   cut(cutForRealScanners());

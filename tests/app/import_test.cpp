@@ -95,6 +95,10 @@ TEST_F(ImportTest, AddsScansToTheOpenSessionAtTheirPositions) {
   ASSERT_EQ(controller_.now()->scans.size(), 2U);
   EXPECT_EQ(controller_.now()->scans[1].station().position, 3);
   EXPECT_EQ(controller_.now()->scans[1].status, ScanStatus::In);
+  recorded.files = {path("nothing.ply").toStdString()};
+  controller_.addScans(recorded);
+  EXPECT_TRUE(failure_.contains("nothing.ply"));
+  EXPECT_TRUE(controller_.scanFailure().isEmpty()) << "no device failed";
 }
 
 TEST_F(ImportTest, ANewSessionIsAskedForWithItsFilesAndPositions) {
