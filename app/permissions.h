@@ -4,13 +4,11 @@
 #include <QString>
 #include <optional>
 
-#include "acquisition/acquisition_state.h"
 #include "acquisition/command.h"
+#include "present.h"
 #include "set_up.h"
 
 namespace vantage {
-
-using SharedState = std::shared_ptr<const AcquisitionState>;
 
 /// All that decides what the operator may do at a moment.
 struct Situation {

@@ -2,12 +2,9 @@
 
 #include <utility>
 
-#include "acquisition/further_scan.h"
 #include "acquisition/model_colours.h"
-#include "acquisition/table_place.h"
 #include "base/atomic_file.h"
 #include "base/errors.h"
-#include "ending_text.h"
 #include "io/mesh_writer.h"
 #include "io/output_file.h"
 #include "report/loss_wording.h"
@@ -38,7 +35,8 @@ SessionController::SessionController(JobRunner& jobs, std::string cacheFolder, D
       work_(jobs),
       bench_(work_, jobs, devices_),
       testScans_(work_, jobs, devices_),
-      calibrating_(work_, devices_) {
+      calibrating_(work_, devices_),
+      present_(presentBefore()) {
   connect(&work_, &Undertaking::activityChanged, this, &SessionController::activityChanged);
   connect(&work_, &Undertaking::stepChanged, this, &SessionController::stepChanged);
   connect(&work_, &Undertaking::failed, this, &SessionController::failed);
@@ -55,6 +53,7 @@ SessionController::~SessionController() {
 // All who look at the set-up are told.
 void SessionController::changeSetUp(const SharedSetUp& setUp) {
   setUp_ = setUp;
+  if (!session_) present_ = presentBefore();
   bench_.setSetUp(setUp);
   testScans_.setSetUp(setUp);
   calibrating_.setSetUp(setUp);
@@ -121,19 +120,19 @@ void SessionController::open(const QString& path) {
   if (!allowed(permissions().whyNotOpen())) return;
   struct Opened {
     OpenedSession opened;
-    Publication publication;
+    Present present;
   };
   work_.begin<Opened>(
       Activity::Opening, tr("Opening the session"),
       [path = path.toStdString(), cache = cacheFolder_](const Progress& p) {
         Opened result{openSession(path, cache, p), {}};
-        result.publication = describe(*result.opened.session);
+        result.present = Present::of(*result.opened.session);
         return result;
       },
       [this](Opened result) {
         if (hasSession()) close();
-        adopt(result.opened.session, result.opened.setUp, pageOf(*result.opened.session, *result.publication.state));
-        publish(std::move(result.publication));
+        adopt(result.opened.session, result.opened.setUp, pageOf(*result.opened.session, *result.present.state()));
+        publish(std::move(result.present));
       });
 }
 
@@ -141,19 +140,19 @@ void SessionController::importScans(const ImportChoice& choice) {
   if (!allowed(permissions().whyNotOpen())) return;
   struct Imported {
     OpenedSession opened;
-    Publication publication;
+    Present present;
   };
   work_.begin<Imported>(
       Activity::Opening, tr("Importing recorded scans"),
       [choice, cache = cacheFolder_](const Progress& p) {
         Imported result{importSession(choice, cache, p), {}};
-        result.publication = describe(*result.opened.session);
+        result.present = Present::of(*result.opened.session);
         return result;
       },
       [this](Imported result) {
         if (hasSession()) close();
-        adopt(result.opened.session, result.opened.setUp, pageOf(*result.opened.session, *result.publication.state));
-        publish(std::move(result.publication));
+        adopt(result.opened.session, result.opened.setUp, pageOf(*result.opened.session, *result.present.state()));
+        publish(std::move(result.present));
         emit imported();
       },
       [this](const QString& why) { emit importFailed(why); });
@@ -174,33 +173,17 @@ void SessionController::addScans(const RecordedScans& recorded) {
 void SessionController::close() {
   if (!allowed(permissions().whyNotClose())) return;
   session_.reset();
-  now_.reset();
+  present_ = presentBefore();
   shown_.reset();
   shownMoment_.reset();
-  moments_.clear();
-  cursor_ = 0;
-  table_.reset();
   page_.clear();
   emit sessionChanged();
   emit stateChanged();
   emit shownChanged();
 }
 
-SessionController::Publication SessionController::describe(const Session& session) {
-  Publication publication{session.state(), momentsOf(session.history()), static_cast<int>(session.history().cursor()),
-                          vantage::tablePosition(session)};
-  // Only of the moment that holds is known what an end leaves.
-  if (std::holds_alternative<Finish>(session.history().current().command) &&
-      publication.state->termination != Termination::Running)
-    publication.moments[session.history().cursor()].text = endingText(*publication.state);
-  return publication;
-}
-
-void SessionController::publish(Publication publication) {
-  now_ = std::move(publication.state);
-  moments_ = std::move(publication.moments);
-  cursor_ = publication.cursor;
-  table_ = publication.table;
+void SessionController::publish(Present present) {
+  present_ = std::move(present);
   shown_.reset();
   shownMoment_.reset();
   emit stateChanged();
@@ -210,16 +193,15 @@ void SessionController::publish(Publication publication) {
 // What was recorded is shown.
 Acquisition::StepObserver SessionController::publisher(const SessionPointer& session) {
   return [this, session](const Command&, const AcquisitionState&, const AcquisitionState&) {
-    QMetaObject::invokeMethod(this,
-                              [this, publication = describe(*session)]() mutable { publish(std::move(publication)); });
+    QMetaObject::invokeMethod(this, [this, present = Present::of(*session)]() mutable { publish(std::move(present)); });
   };
 }
 
 void SessionController::scanInBackground(bool untilTheEnd) {
   const auto begun = [this, setUp = setUp_](const SessionPointer& session) {
-    QMetaObject::invokeMethod(this, [this, session, setUp, publication = describe(*session)]() mutable {
+    QMetaObject::invokeMethod(this, [this, session, setUp, present = Present::of(*session)]() mutable {
       adopt(session, setUp, {});
-      publish(std::move(publication));
+      publish(std::move(present));
     });
   };
   work_.begin<bool>(
@@ -265,9 +247,9 @@ Permissions SessionController::permissions() const {
                       .sessionOpen = hasSession(),
                       .mode = mode(),
                       .setUp = setUp_,
-                      .now = now_,
-                      .somethingBefore = cursor_ > 0,
-                      .somethingUndone = cursor_ + 1 < static_cast<int>(moments_.size())});
+                      .now = now(),
+                      .somethingBefore = present_.somethingBefore(),
+                      .somethingUndone = present_.somethingUndone()});
 }
 
 bool SessionController::allowed(const QString& whyNot) {
@@ -316,13 +298,13 @@ void SessionController::stop() {
 // A command that needs no scan: carried out, written, shown.
 void SessionController::change(const Command& command) {
   if (!allowed(permissions().whyNot(command))) return;
-  work_.begin<Publication>(
+  work_.begin<Present>(
       Activity::Changing, tr("Changing the session"),
       [session = session_, setUp = setUp_, command](const Progress& progress) {
         Acquisition(*session, {{}, setUp->images}).carryOut(command, progress);
-        return describe(*session);
+        return Present::of(*session);
       },
-      [this](Publication publication) { publish(std::move(publication)); });
+      [this](Present present) { publish(std::move(present)); });
 }
 
 void SessionController::choosePosition(std::optional<int> position) {
@@ -334,7 +316,7 @@ void SessionController::endHere() {
 }
 
 void SessionController::allowMoreViews(int more) {
-  ChangeSettings command{now_ ? now_->settings : choice_.settings};
+  ChangeSettings command{now() ? now()->settings : choice_.settings};
   command.settings.maxViews += more;
   change(command);
 }
@@ -347,47 +329,18 @@ void SessionController::takeBack(std::int64_t scan) {
   change(TakeBackView{scan});
 }
 
-NextScan SessionController::next() const {
-  if (now_) return nextScan(*now_);
-  return ScanFrom{choice_.settings.firstView};
-}
-
-std::optional<int> SessionController::nextPosition() const {
-  const NextScan following = next();
-  const auto* scan = std::get_if<ScanFrom>(&following);
-  return scan != nullptr ? std::optional(scan->position) : std::nullopt;
-}
-
-std::optional<int> SessionController::furtherPosition() const {
-  if (!now_) return nextPosition();
-  const auto further = furtherScan(*now_);
-  return further ? std::optional(further->position) : std::nullopt;
-}
-
-std::optional<int> SessionController::proposedPosition() const {
-  if (!now_) return nextPosition();
-  const auto proposed = proposedScan(*now_);
-  return proposed ? std::optional(proposed->position) : std::nullopt;
-}
-
-std::optional<int> SessionController::tablePosition() const {
-  if (now_ || !setUp_ || !setUp_->profile || setUp_->profile->workspace.size() == 0) return table_;
-  return 0;
+Present SessionController::presentBefore() const {
+  const bool hasPositions = setUp_ && setUp_->profile && setUp_->profile->workspace.size() > 0;
+  return Present::before(choice_.settings.firstView, hasPositions ? std::optional(0) : std::nullopt);
 }
 
 std::optional<TurnAdvice> SessionController::turnTo(int position) const {
   if (!setUp_ || !setUp_->profile) return {};
-  return adviseTurn(*setUp_->profile, tablePosition(), position);
-}
-
-std::optional<Explanation> SessionController::explained(int position) const {
-  const auto plan = now_ ? now_->plan : nullptr;
-  if (!plan || position < 0 || position >= static_cast<int>(plan->scores.size())) return {};
-  return explain(*plan, position);
+  return adviseTurn(*setUp_->profile, present().tablePosition(), position);
 }
 
 void SessionController::move(bool backward) {
-  work_.begin<Publication>(
+  work_.begin<Present>(
       Activity::Changing, backward ? tr("Undo") : tr("Redo"),
       [session = session_, backward](const Progress& /*progress*/) {
         Acquisition acquisition(*session);
@@ -395,9 +348,9 @@ void SessionController::move(bool backward) {
           acquisition.undo();
         else
           acquisition.redo();
-        return describe(*session);
+        return Present::of(*session);
       },
-      [this](Publication publication) { publish(std::move(publication)); });
+      [this](Present present) { publish(std::move(present)); });
 }
 
 void SessionController::undo() {
@@ -409,8 +362,8 @@ void SessionController::redo() {
 }
 
 void SessionController::showMoment(int index) {
-  if (!session_ || index < 0 || index >= static_cast<int>(moments_.size())) return;
-  if (index == cursor_) return showNow();
+  if (!session_ || index < 0 || index >= static_cast<int>(present_.moments().size())) return;
+  if (index == present_.cursor()) return showNow();
   jobs_.run<SharedState>(
       tr("Showing an earlier moment"),
       [session = session_, index](const Progress&) { return session->state(static_cast<std::size_t>(index)); },
@@ -429,14 +382,14 @@ void SessionController::showNow() {
 }
 
 std::vector<std::string> SessionController::filesInUse() const {
-  return {session_->path(), now_->settings.simulation.object, choice_.scanner};
+  return {session_->path(), now()->settings.simulation.object, choice_.scanner};
 }
 
 void SessionController::exportModel(const QString& path) {
   if (!allowed(permissions().whyNotExport())) return;
   work_.begin<bool>(
       Activity::Writing, tr("Writing %1").arg(path),
-      [state = now_, path = path.toStdString(), inputs = filesInUse()](const Progress& progress) {
+      [state = now(), path = path.toStdString(), inputs = filesInUse()](const Progress& progress) {
         checkOutput(path, OutputKind::Mesh, inputs);
         const VertexColours colours = holdsColours(path) ? coloursOf(*state, progress.part(0.0, 0.5)) : VertexColours{};
         vantage::exportModel(*state->model, path, progress.part(0.5, 1.0), worldOffset(outlineOf(*state)), colours);
@@ -449,7 +402,7 @@ void SessionController::writeReport(const QString& path, ReportParts parts) {
   if (!allowed(permissions().whyNotExport())) return;
   work_.begin<bool>(
       Activity::Writing, tr("Writing %1").arg(path),
-      [state = now_, path = path.toStdString(), parts = std::move(parts),
+      [state = now(), path = path.toStdString(), parts = std::move(parts),
        inputs = filesInUse()](const Progress& progress) {
         progress.checkpoint(0.0);
         checkOutput(path, OutputKind::Report, inputs);

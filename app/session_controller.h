@@ -14,9 +14,8 @@
 #include "bench/test_scans.h"
 #include "devices/device_factory.h"
 #include "job_runner.h"
-#include "moments.h"
 #include "permissions.h"
-#include "planning/explanation.h"
+#include "present.h"
 #include "report/html_report.h"
 #include "rig_keeper.h"
 #include "session/session.h"
@@ -74,7 +73,7 @@ class SessionController final : public QObject {
   void close();
 
   /// Who takes the next step. Kept in the session.
-  [[nodiscard]] Mode mode() const { return now_ ? now_->mode : mode_; }
+  [[nodiscard]] Mode mode() const { return now() ? now()->mode : mode_; }
   void setMode(Mode mode);
 
   /// What may be done now. What is called all the same does nothing and says why (see refused).
@@ -106,29 +105,18 @@ class SessionController final : public QObject {
   void leaveOut(std::int64_t scan);
   void takeBack(std::int64_t scan);
 
-  [[nodiscard]] const SharedState& now() const { return now_; }
-  /// What comes next, also before there is a session: the one place that knows.
-  [[nodiscard]] NextScan next() const;
-  [[nodiscard]] std::optional<int> nextPosition() const;
-  /// What would come next if the acquisition were opened again and allowed one more view.
-  [[nodiscard]] std::optional<int> furtherPosition() const;
-  /// The same, had the operator chosen no position.
-  [[nodiscard]] std::optional<int> proposedPosition() const;
-  /// Where the table stands: the one place that knows. Nothing without positions.
-  [[nodiscard]] std::optional<int> tablePosition() const;
+  /// Where the session is now and what comes next: the one place that knows. Also before there is a session.
+  [[nodiscard]] const Present& present() const { return present_; }
+  [[nodiscard]] const SharedState& now() const { return present_.state(); }
   /// How to turn the table from where it stands; nothing without turntable or position.
   [[nodiscard]] std::optional<TurnAdvice> turnTo(int position) const;
-  /// What the plan that holds now says of a position; nothing without a plan.
-  [[nodiscard]] std::optional<Explanation> explained(int position) const;
-  [[nodiscard]] const std::vector<Moment>& moments() const { return moments_; }
-  [[nodiscard]] int cursor() const { return cursor_; }
   void undo();
   void redo();
 
   /// What the views show: now, or an earlier moment.
-  [[nodiscard]] const SharedState& shown() const { return shown_ ? shown_ : now_; }
-  [[nodiscard]] int shownMoment() const { return shownMoment_.value_or(cursor_); }
-  [[nodiscard]] bool showsNow() const { return shownMoment_.value_or(cursor_) == cursor_; }
+  [[nodiscard]] const SharedState& shown() const { return shown_ ? shown_ : now(); }
+  [[nodiscard]] int shownMoment() const { return shownMoment_.value_or(present_.cursor()); }
+  [[nodiscard]] bool showsNow() const { return shownMoment() == present_.cursor(); }
   void showMoment(int index);
   void showNow();
 
@@ -146,7 +134,7 @@ class SessionController final : public QObject {
   void stepChanged();
   void setUpChanged();
   void sessionChanged();  ///< opened, begun or closed
-  void stateChanged();    ///< now, moments and cursor
+  void stateChanged();    ///< the present
   void shownChanged();
   void runEnded();                        ///< an acquisition ended by itself
   void imported();                        ///< recorded scans are in the session
@@ -157,12 +145,6 @@ class SessionController final : public QObject {
   void message(const QString& what);      ///< for the log
 
  private:
-  struct Publication {
-    SharedState state;
-    std::vector<Moment> moments;
-    int cursor = 0;
-    std::optional<int> table;
-  };
   using SessionPointer = std::shared_ptr<Session>;
 
   void changeSetUp(const SharedSetUp& setUp);
@@ -174,9 +156,9 @@ class SessionController final : public QObject {
   [[nodiscard]] std::vector<std::string> filesInUse() const;
   void move(bool backward);
   void adopt(const SessionPointer& session, const SharedSetUp& setUp, const QString& page);
-  void publish(Publication publication);
+  void publish(Present present);
+  [[nodiscard]] Present presentBefore() const;
   [[nodiscard]] Acquisition::StepObserver publisher(const SessionPointer& session);
-  [[nodiscard]] static Publication describe(const Session& session);
 
   JobRunner& jobs_;
   std::string cacheFolder_;
@@ -189,12 +171,9 @@ class SessionController final : public QObject {
   TableCalibrating calibrating_;
   SessionPointer session_;
   Mode mode_ = Mode::Automatic;  ///< before there is a session
-  std::optional<int> table_;
-  SharedState now_;
+  Present present_;
   SharedState shown_;
   std::optional<int> shownMoment_;  ///< nothing: now
-  std::vector<Moment> moments_;
-  int cursor_ = 0;
   QString page_;
 };
 

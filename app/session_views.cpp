@@ -92,7 +92,7 @@ void SessionViews::refresh() {
   if (!state && setUp) before->profile = setUp->profile;
   auto snapshot =
       std::make_shared<ViewSnapshot>(*makeSnapshot(state ? state : before, setUp ? setUp->images : nullptr));
-  if (controller_.showsNow()) snapshot->table = controller_.tablePosition();
+  if (controller_.showsNow()) snapshot->table = controller_.present().tablePosition();
   showSnapshot(snapshot);
   model_->setNotice(controller_.showsNow() ? QString()
                                            : tr("This is the session as it was after view %1. Back to now")

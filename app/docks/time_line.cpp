@@ -37,7 +37,7 @@ TimeLine::TimeLine(SessionController& controller, QWidget* parent) : QListWidget
 void TimeLine::refresh() {
   const QSignalBlocker quiet(this);
   clear();
-  for (const Moment& moment : controller_.moments()) {
+  for (const Moment& moment : controller_.present().moments()) {
     auto* item = new QListWidgetItem(caption(moment), this);
     item->setTextAlignment(Qt::AlignCenter);
     item->setToolTip(moment.undone ? tr("%1 (undone)").arg(moment.text) : moment.text);

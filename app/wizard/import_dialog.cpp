@@ -179,7 +179,7 @@ void ImportDialog::suggest(const ImportChoice& choice) {
 
 void ImportDialog::addFiles(const QStringList& paths) {
   const bool first = list_->files().empty();
-  list_->addFiles(paths, into_ == Into::OpenSession && first ? controller_.nextPosition() : std::nullopt);
+  list_->addFiles(paths, into_ == Into::OpenSession && first ? controller_.present().nextPosition() : std::nullopt);
 }
 
 void ImportDialog::reject() {

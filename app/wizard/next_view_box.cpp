@@ -73,18 +73,18 @@ QString NextViewBox::instruction(int position) const {
 QString NextViewBox::headline() const {
   const SharedState& now = controller_.now();
   if (now && !now->profile) return tr("Recorded scans have no next view.");
-  const std::optional<int> position = controller_.furtherPosition();
+  const std::optional<int> position = controller_.present().furtherPosition();
   if (!position) return tr("No further view is proposed.");
-  const auto why = controller_.explained(*position);
+  const auto why = controller_.present().explained(*position);
   if (!why) return tr("Position %1").arg(*position);
-  const QString text = !controller_.nextPosition() ? tr("If you go on: position %1 shows %2")
-                       : now->chosenPosition       ? tr("Position %1, your choice: shows %2")
-                                                   : tr("Position %1, proposed: shows %2");
+  const QString text = !controller_.present().nextPosition() ? tr("If you go on: position %1 shows %2")
+                       : now->chosenPosition                 ? tr("Position %1, your choice: shows %2")
+                                                             : tr("Position %1, proposed: shows %2");
   return text.arg(QString::number(*position), areaText(why->promise));
 }
 
 void NextViewBox::refresh() {
-  const std::optional<int> next = controller_.furtherPosition();
+  const std::optional<int> next = controller_.present().furtherPosition();
   if (controller_.setUp() && controller_.setUp()->profile)
     other_->setMaximum(static_cast<int>(controller_.setUp()->profile->workspace.size()) - 1);
   headline_->setText(headline());
@@ -109,13 +109,13 @@ void NextViewBox::refreshCost() {
 QString NextViewBox::cost(int position) const {
   const SharedState& now = controller_.now();
   if (now && !now->profile) return controller_.permissions().whyNot(ChoosePosition{position});
-  const auto other = controller_.explained(position);
+  const auto other = controller_.present().explained(position);
   if (!other) return tr("After the first scan every position is compared here.");
-  const std::optional<int> proposed = controller_.proposedPosition();
+  const std::optional<int> proposed = controller_.present().proposedPosition();
   const QString taken = now->chosenPosition == position ? tr("The next scan is taken from here. ") : QString();
   if (!proposed) return taken + tr("It would show %1.").arg(areaText(other->promise));
   if (*proposed == position) return taken + tr("This is the proposed position.");
-  const double lost = controller_.explained(*proposed)->promise - other->promise;
+  const double lost = controller_.present().explained(*proposed)->promise - other->promise;
   QString text = lost >= 0 ? tr("Shows %1 less than the proposal").arg(areaText(lost))
                            : tr("Shows %1 more than the proposal").arg(areaText(-lost));
   if (other->constraint == Constraint::OverlapShort)

@@ -118,7 +118,7 @@ TEST_F(SessionControllerTest, RunsToTheEndAndTellsSo) {
   ASSERT_TRUE(controller_->now());
   EXPECT_EQ(countScans(*controller_->now(), ScanStatus::In), 3U);
   EXPECT_EQ(controller_->now()->termination, Termination::MaxViews);
-  EXPECT_EQ(controller_->moments().size(), 4U);  // the set-up and three scans
+  EXPECT_EQ(controller_->present().moments().size(), 4U);  // the set-up and three scans
 }
 
 TEST_F(SessionControllerTest, StepsLeadToTheSameModelAsARun) {
@@ -140,7 +140,7 @@ TEST_F(SessionControllerTest, UndoAndRedoMoveThroughTheScans) {
   const SharedState two = controller_->now();
   controller_->undo();
   EXPECT_EQ(countScans(*controller_->now(), ScanStatus::In), 1U);
-  EXPECT_TRUE(controller_->moments().back().undone);
+  EXPECT_TRUE(controller_->present().moments().back().undone);
   controller_->redo();
   EXPECT_EQ(countScans(*controller_->now(), ScanStatus::In), 2U);
   EXPECT_EQ(controller_->now()->scans.back().station().position, two->scans.back().station().position);
@@ -150,12 +150,12 @@ TEST_F(SessionControllerTest, UndoAndRedoMoveThroughTheScans) {
 TEST_F(SessionControllerTest, TheOperatorMayChooseAnotherPosition) {
   prepare();
   controller_->step();
-  const int proposed = controller_->nextPosition().value();
+  const int proposed = controller_->present().nextPosition().value();
   const int other = (proposed + 2) % 24;
   controller_->choosePosition(other);
-  EXPECT_EQ(controller_->nextPosition(), other);
+  EXPECT_EQ(controller_->present().nextPosition(), other);
   controller_->choosePosition({});
-  EXPECT_EQ(controller_->nextPosition(), proposed);
+  EXPECT_EQ(controller_->present().nextPosition(), proposed);
   controller_->choosePosition(other);
   controller_->step();
   EXPECT_EQ(controller_->now()->scans.back().station().position, other);
@@ -297,10 +297,10 @@ TEST_F(SessionControllerTest, WritesTheReport) {
 
 TEST_F(SessionControllerTest, TheTableStandsWhereTheLastScanWasTakenWhateverBecameOfIt) {
   failAScan();
-  EXPECT_EQ(controller_->tablePosition(), kFarSide);
+  EXPECT_EQ(controller_->present().tablePosition(), kFarSide);
   EXPECT_NEAR(controller_->turnTo(kFarSide + 1)->turn.angle, -radians(15.0), 1e-9);
   controller_->undo();
-  EXPECT_EQ(controller_->tablePosition(), kFarSide);
+  EXPECT_EQ(controller_->present().tablePosition(), kFarSide);
   EXPECT_NEAR(controller_->turnTo(kFarSide)->turn.angle, 0.0, 1e-9);
 }
 
@@ -308,10 +308,10 @@ TEST_F(SessionControllerTest, ALeftOutViewDoesNotMoveTheTable) {
   prepare();
   controller_->step();
   controller_->step();
-  const auto table = controller_->tablePosition();
+  const auto table = controller_->present().tablePosition();
   ASSERT_NE(table, 0);
   controller_->leaveOut(controller_->now()->scans.back().number);
-  EXPECT_EQ(controller_->tablePosition(), table);
+  EXPECT_EQ(controller_->present().tablePosition(), table);
 }
 
 TEST_F(SessionControllerTest, AssistedNothingRunsByItself) {
@@ -340,12 +340,12 @@ TEST_F(SessionControllerTest, TheModeIsKeptInTheSession) {
 TEST_F(SessionControllerTest, EndingHereSaysWhoEndedItAndWhatAFurtherViewWouldShow) {
   prepare();
   controller_->step();
-  const int proposed = controller_->nextPosition().value();
+  const int proposed = controller_->present().nextPosition().value();
   controller_->endHere();
   const QString ending = endingText(*controller_->now());
   EXPECT_TRUE(ending.startsWith("Ended by you. Position " + QString::number(proposed) + " would still show "))
       << ending.toStdString();
-  EXPECT_EQ(controller_->moments().back().text, ending);
+  EXPECT_EQ(controller_->present().moments().back().text, ending);
   controller_->writeReport(path("report.html"), [](const AcquisitionState&) { return HtmlReportOptions{}; });
   const QByteArray report = bytesOf(path("report.html"));
   EXPECT_TRUE(report.contains("Ended by the operator. A view from position " + QByteArray::number(proposed)));
@@ -355,10 +355,10 @@ TEST_F(SessionControllerTest, EndingHereSaysWhoEndedItAndWhatAFurtherViewWouldSh
 TEST_F(SessionControllerTest, GoesOnAfterAnEndThatTheOperatorWanted) {
   prepare();
   controller_->step();
-  const int proposed = controller_->nextPosition().value();
+  const int proposed = controller_->present().nextPosition().value();
   controller_->endHere();
-  EXPECT_FALSE(controller_->nextPosition());
-  EXPECT_EQ(controller_->furtherPosition(), proposed);
+  EXPECT_FALSE(controller_->present().nextPosition());
+  EXPECT_EQ(controller_->present().furtherPosition(), proposed);
   EXPECT_EQ(controller_->permissions().whyNotRun(), "");
   controller_->step();
   EXPECT_EQ(controller_->now()->scans.back().station().position, proposed);
@@ -370,9 +370,9 @@ TEST_F(SessionControllerTest, GoesOnBeyondTheGreatestNumberOfViews) {
   ASSERT_EQ(controller_->now()->termination, Termination::MaxViews);
   EXPECT_TRUE(endingText(*controller_->now()).contains("would still show"));
   EXPECT_TRUE(controller_->permissions().whyNotRun().contains("Allow more"));
-  const auto further = controller_->furtherPosition();
+  const auto further = controller_->present().furtherPosition();
   controller_->allowMoreViews(1);
-  EXPECT_EQ(controller_->nextPosition(), further);
+  EXPECT_EQ(controller_->present().nextPosition(), further);
   controller_->run();
   EXPECT_EQ(countScans(*controller_->now(), ScanStatus::In), 3U);
 }
@@ -383,18 +383,18 @@ TEST_F(SessionControllerTest, AFailedScanIsTold) {
   const RegistrationResult& registration = controller_->now()->scans.back().record.registration;
   EXPECT_TRUE(told.contains("from position 12 did not fit: " + translated(phraseOf(registration.finding))));
   EXPECT_TRUE(told.contains("take position 12 once more"));
-  EXPECT_TRUE(controller_->moments().back().text.contains("did not fit"));
+  EXPECT_TRUE(controller_->present().moments().back().text.contains("did not fit"));
 }
 
 // What the panes take their next position from: the page, the views, the answer to why.
 TEST_F(SessionControllerTest, AfterAFailedScanEverybodySpeaksOfTheSameNextPosition) {
   failAScan();
   const SharedState now = controller_->now();
-  const auto next = controller_->nextPosition();
+  const auto next = controller_->present().nextPosition();
   ASSERT_TRUE(next);
   EXPECT_EQ(makeSnapshot(now)->next, next);
   EXPECT_EQ(objectiveChartData(*makeSnapshot(now)).chosen, next);
-  EXPECT_EQ(controller_->proposedPosition(), next);
+  EXPECT_EQ(controller_->present().proposedPosition(), next);
   EXPECT_EQ(roleOf(*now, *next), *next == now->plan->position ? PositionRole::Proposed : PositionRole::AfterFailure);
   EXPECT_EQ(roleOf(*now, kFarSide), PositionRole::Failed);
   controller_->step();
@@ -404,7 +404,7 @@ TEST_F(SessionControllerTest, AfterAFailedScanEverybodySpeaksOfTheSameNextPositi
 TEST_F(SessionControllerTest, EverybodySpeaksOfThePositionThatTheOperatorTook) {
   prepare();
   controller_->step();
-  const int proposed = controller_->nextPosition().value();
+  const int proposed = controller_->present().nextPosition().value();
   const int mine = (proposed + 2) % 24;
   controller_->choosePosition(mine);
   const SharedState now = controller_->now();
@@ -413,7 +413,7 @@ TEST_F(SessionControllerTest, EverybodySpeaksOfThePositionThatTheOperatorTook) {
   EXPECT_TRUE(chart.operatorsChoice);
   EXPECT_EQ(roleOf(*now, mine), PositionRole::OperatorsChoice);
   EXPECT_NE(roleOf(*now, proposed), PositionRole::OperatorsChoice);
-  EXPECT_EQ(controller_->proposedPosition(), proposed);
+  EXPECT_EQ(controller_->present().proposedPosition(), proposed);
 }
 
 TEST_F(SessionControllerTest, RecordedScansAreShownAsWhatTheyAre) {
@@ -421,9 +421,9 @@ TEST_F(SessionControllerTest, RecordedScansAreShownAsWhatTheyAre) {
   ASSERT_TRUE(controller_->hasSession()) << failure_.toStdString();
   EXPECT_EQ(controller_->page(), "review");
   EXPECT_TRUE(endingText(*controller_->now()).startsWith("Recorded scans, put together."));
-  EXPECT_FALSE(controller_->nextPosition());
-  EXPECT_FALSE(controller_->furtherPosition());
-  EXPECT_FALSE(controller_->tablePosition());
+  EXPECT_FALSE(controller_->present().nextPosition());
+  EXPECT_FALSE(controller_->present().furtherPosition());
+  EXPECT_FALSE(controller_->present().tablePosition());
   EXPECT_TRUE(controller_->permissions().whyNot(ChoosePosition{0}).startsWith("These are recorded scans"));
   EXPECT_FALSE(controller_->permissions().whyNotScan().isEmpty());
   EXPECT_TRUE(objectiveChartData(*makeSnapshot(controller_->now())).recorded);
