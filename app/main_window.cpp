@@ -183,6 +183,8 @@ void MainWindow::connectController() {
   connect(&controller_, &SessionController::message, log_, &LogPanel::add);
   connect(&controller_, &SessionController::failed, log_, &LogPanel::addError);
   connect(&controller_, &SessionController::failed, this, [this](const QString& what) {
+    // What ended a scan stands on its page, with the ways on.
+    if (what == controller_.scanFailure() && wizard_->acquirePage().isVisible()) return;
     auto* box = new QMessageBox(QMessageBox::Warning, tr("Vantage"), what, QMessageBox::Ok, this);
     box->setAttribute(Qt::WA_DeleteOnClose);
     box->open();
@@ -192,8 +194,8 @@ void MainWindow::connectController() {
   connect(&controller_, &SessionController::written, log_,
           [this](const QString& path) { log_->add(tr("Written: %1").arg(path)); });
   connect(&controller_, &SessionController::stateChanged, log_, [this] {
-    if (controller_.cursor() < static_cast<int>(controller_.moments().size()))
-      log_->add(controller_.moments()[static_cast<std::size_t>(controller_.cursor())].text);
+    if (controller_.present().cursor() < static_cast<int>(controller_.present().moments().size()))
+      log_->add(controller_.present().moments()[static_cast<std::size_t>(controller_.present().cursor())].text);
   });
   connect(&wizard_->choosePage(), &ChoosePage::openRequested, this, [this] { openSession(); });
   connect(&wizard_->choosePage(), &ChoosePage::importRequested, this, [this] { importScans({}); });

@@ -57,6 +57,7 @@ TestScanBox::TestScanBox(SessionController& controller, QWidget* parent)
       verdict_(makeLabel({})),
       figures_(new FigureTable),
       form_(new SettingsForm("cut")) {
+  verdict_->setObjectName(QStringLiteral("testScanVerdict"));
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->addWidget(scan_);

@@ -10,6 +10,7 @@
 #include <QSpinBox>
 #include <QTableWidget>
 #include <QTemporaryDir>
+#include <QTest>
 #include <fstream>
 
 #include "io/mesh_writer.h"
@@ -131,6 +132,27 @@ TEST_F(ImportTest, WhatIsWrongIsSaidAndNothingThatWasChosenIsLost) {
   EXPECT_FALSE(controller_.hasSession());
 }
 
+// Esc while it works: what is under way is stopped, the dialog and what was chosen stay, and a second Esc leaves.
+TEST_F(ImportTest, EscStopsTheImportBeforeItLeaves) {
+  ThreadedJobRunner jobs(1);
+  SessionController controller(jobs, "");
+  ImportDialog dialog(controller, ImportDialog::Into::NewSession);
+  dialog.suggest(choice());
+  dialog.addFiles(files_);
+  dialog.show();
+  dialog.findChild<QPushButton*>("bringIn")->click();
+  ASSERT_FALSE(controller.idle());
+  QTest::keyClick(&dialog, Qt::Key_Escape);
+  EXPECT_TRUE(dialog.isVisible());
+  ASSERT_TRUE(QTest::qWaitFor([&] { return controller.idle(); }, 60'000));
+  EXPECT_TRUE(dialog.isVisible());
+  EXPECT_FALSE(controller.hasSession());
+  EXPECT_FALSE(QFile::exists(path("out/imported/session.vantage")));
+  EXPECT_EQ(dialog.findChild<QTableWidget*>("scanFiles")->rowCount(), 3);
+  QTest::keyClick(&dialog, Qt::Key_Escape);
+  EXPECT_FALSE(dialog.isVisible());
+}
+
 TEST_F(ImportTest, RowsAndColumnsAreTakenOnlyWhereTheyAreSome) {
   ImportDialog dialog(controller_, ImportDialog::Into::NewSession);
   dialog.suggest(choice());
@@ -157,7 +179,7 @@ TEST_F(ImportTest, OfSeveralFilesForAnOpenSessionEachIsAskedForItsPosition) {
   EXPECT_FALSE(bringIn->isEnabled());
   EXPECT_TRUE(bringIn->toolTip().contains("position")) << bringIn->toolTip().toStdString();
   auto* table = dialog.findChild<QTableWidget*>("scanFiles");
-  EXPECT_EQ(qobject_cast<QSpinBox*>(table->cellWidget(0, 1))->value(), controller_.nextPosition().value());
+  EXPECT_EQ(qobject_cast<QSpinBox*>(table->cellWidget(0, 1))->value(), controller_.present().nextPosition().value());
   qobject_cast<QSpinBox*>(table->cellWidget(0, 1))->setValue(3);
   qobject_cast<QSpinBox*>(table->cellWidget(1, 1))->setValue(6);
   bringIn->click();

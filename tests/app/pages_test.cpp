@@ -8,18 +8,23 @@
 #include <QDir>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMessageBox>
+#include <QPushButton>
 #include <QShortcut>
 #include <QSpinBox>
 #include <QStatusBar>
 #include <QTemporaryDir>
 #include <cmath>
+#include <fstream>
 
+#include "app/told_devices.h"
 #include "geometry/measures.h"
 #include "main_window.h"
 #include "screenshots/painted_text.h"
 #include "screenshots/screenshot.h"
 #include "support/scenes/small_scene.h"
 #include "why_card.h"
+#include "wizard/device_editor.h"
 #include "wizard/import_dialog.h"
 #include "wizard/next_view_box.h"
 
@@ -171,7 +176,7 @@ TEST_P(Pages, NothingIsBlankClippedOrNameless) {
   desk.window().wizard().acquirePage().setAssisted(true);
   check(desk, "3_assisted");
   ASSERT_TRUE(desk.controller().now());
-  desk.window().views().examine((desk.controller().nextPosition().value() + 20) % 90);
+  desk.window().views().examine((desk.controller().present().nextPosition().value() + 20) % 90);
   check(desk, "3_why_not");
   desk.controller().step();
   ASSERT_EQ(countScans(*desk.controller().now(), ScanStatus::In), 2U);
@@ -234,7 +239,7 @@ TEST_F(Told, AFailedScanIsToldAndEveryPaneGoesOnFromOnePosition) {
   desk_.controller().step();
   const AcquisitionState& now = *desk_.controller().now();
   ASSERT_EQ(now.scans.back().status, ScanStatus::Rejected);
-  const QString next = QString::number(desk_.controller().nextPosition().value());
+  const QString next = QString::number(desk_.controller().present().nextPosition().value());
   lookAt("failed_scan");
   expectSaid("from position 50 did not fit: ");
   expectSaid("Position " + next + ", proposed");
@@ -248,7 +253,7 @@ TEST_F(Told, AFailedScanIsToldAndEveryPaneGoesOnFromOnePosition) {
 
 TEST_F(Told, TheOperatorsChoiceIsSpokenOfEverywhere) {
   acquire(2);
-  const QString proposed = QString::number(desk_.controller().nextPosition().value());
+  const QString proposed = QString::number(desk_.controller().present().nextPosition().value());
   desk_.controller().choosePosition(20);
   lookAt("taken");
   expectSaid("Position 20, your choice");
@@ -261,7 +266,7 @@ TEST_F(Told, TheOperatorsChoiceIsSpokenOfEverywhere) {
 
 TEST_F(Told, AnEndThatTheOperatorWantedIsNoEndOfWhatCouldBeSeen) {
   acquire(2);
-  const QString proposed = QString::number(desk_.controller().nextPosition().value());
+  const QString proposed = QString::number(desk_.controller().present().nextPosition().value());
   desk_.controller().endHere();
   const QString ending = "Ended by you. Position " + proposed + " would still show ";
   lookAt("ended_here");
@@ -330,6 +335,38 @@ TEST_F(Told, WhatIsKnownOfRecordedScansIsAskedInOneDialog) {
   EXPECT_EQ(nameless(*dialog).join(" | ").toStdString(), "");
   EXPECT_EQ(unexplained(*dialog).join(" | ").toStdString(), "");
   dialog->reject();
+}
+
+// A table that fails in a run: its card says so with the ways on, and no box says it a second time.
+TEST(Devices, AScanThatTheyFailedIsToldOnceWithTheWaysOn) {
+  const QTemporaryDir folder;
+  std::ofstream(folder.filePath("scanner.json").toStdString()) << testing::smallProfileSource().text;
+  testing::ToldDevices devices;
+  SynchronousJobRunner jobs;
+  SessionController controller{jobs, "", devices.factory()};
+  MainWindow window(WindowParts{controller, jobs, testing::testSurfaces(), QStringLiteral(VANTAGE_RESOURCES)}, {});
+  window.show();
+  auto* scanner = window.findChild<QComboBox*>("scanner");
+  scanner->addItem("small", folder.filePath("scanner.json"));
+  scanner->setCurrentIndex(scanner->count() - 1);
+  window.findChild<QLineEdit*>("folder")->setText(folder.filePath("out"));
+  window.findChild<DeviceEditor*>()->setRig(
+      {FolderDevice{folder.path().toStdString()}, SerialTableDevice{"/dev/nothing", {}}, {}, {}});
+  for (int i = 0; i < 3; ++i) window.wizard().goOn();
+  ASSERT_EQ(window.wizard().page().key(), "acquire");
+  const auto boxes = [&] { return window.findChildren<QMessageBox*>().size(); };
+  controller.step();
+  devices.table->failsNext = "was unplugged";
+  controller.step();
+  ASSERT_TRUE(controller.scanFailure().contains("was unplugged")) << controller.scanFailure().toStdString();
+  EXPECT_TRUE(says(window, controller.scanFailure()));
+  for (const char* name : {"again", "byHand"}) EXPECT_TRUE(window.findChild<QPushButton*>(name)->isVisible()) << name;
+  EXPECT_EQ(boxes(), 0);
+  window.wizard().goOn();
+  ASSERT_EQ(window.wizard().page().key(), "review");
+  devices.table->failsNext = "was unplugged";
+  controller.step();
+  EXPECT_EQ(boxes(), 1) << "the card is out of sight";
 }
 
 TEST(PageText, EveryPageSaysWhatHappensNext) {
