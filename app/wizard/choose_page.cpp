@@ -82,6 +82,7 @@ ChoosePage::ChoosePage(SessionController& controller, const QString& resources, 
   connect(&controller, &SessionController::sessionChanged, this, [this] {
     if (!this->controller().hasSession()) {
       if (object_->currentIndex() < 0) select(*object_, resources_ + QStringLiteral("/objects/") + kPreferredObject);
+      folderIsChosen_ = false;
       suggestFolder();
     }
     entered();
@@ -141,8 +142,12 @@ void ChoosePage::build() {
   QToolButton* browse = browseButton(tr("Take another folder"));
   connect(browse, &QToolButton::clicked, this, [this] {
     const QString path = QFileDialog::getExistingDirectory(this, tr("Folder of the session"), folder_->text());
-    if (!path.isEmpty()) folder_->setText(path);
+    if (path.isEmpty()) return;
+    folderIsChosen_ = true;
+    folder_->setText(path);
   });
+  connect(folder_, &QLineEdit::textEdited, this,
+          [this](const QString& text) { folderIsChosen_ = !text.trimmed().isEmpty(); });
   auto* row = new QHBoxLayout;
   row->addWidget(folder_, 1);
   row->addWidget(browse);
@@ -217,7 +222,9 @@ void ChoosePage::takeWhatWasTried() {
   form_->setSettings(settings);
 }
 
+// A folder that somebody chose stays.
 void ChoosePage::suggestFolder() {
+  if (folderIsChosen_) return;
   const QString name =
       devices_->simulated() ? QFileInfo(object_->currentData().toString()).completeBaseName() : QStringLiteral("scan");
   folder_->setText(QDir::toNativeSeparators(freeFolder(name)));

@@ -59,8 +59,9 @@ class ChoosePage final : public WizardPage {
   QWidget* objectRow_ = nullptr;  ///< with its title; real scanners see what stands before them
   QLineEdit* folder_ = nullptr;
   SettingsForm* form_ = nullptr;
-  bool cutIsForReal_ = false;  ///< what is cut was suggested for a real scanner
-  QString chosenScanner_;      // before a session was opened
+  bool folderIsChosen_ = false;  ///< and not suggested
+  bool cutIsForReal_ = false;    ///< what is cut was suggested for a real scanner
+  QString chosenScanner_;        // before a session was opened
 };
 
 }  // namespace vantage

@@ -4,11 +4,15 @@
 
 #include <QComboBox>
 #include <QDir>
+#include <QLineEdit>
 #include <QTemporaryDir>
+#include <QTest>
 #include <fstream>
 
+#include "app/told_devices.h"
 #include "io/mesh_writer.h"
 #include "support/scenes/small_scene.h"
+#include "wizard/device_editor.h"
 
 namespace vantage {
 namespace {
@@ -49,6 +53,42 @@ TEST_F(ChoosePageTest, ShowsNoObjectForASessionOfRecordedScansAndOneAgainAfterIt
   controller_.close();
   EXPECT_TRUE(object_->currentData().toString().endsWith("mug.ply"));
   EXPECT_TRUE(page_->complete());
+}
+
+TEST_F(ChoosePageTest, AFolderThatWasTypedIsNotReplacedByASuggestion) {
+  exportMesh(testing::smallObject(), path("objects/vase.ply"));
+  page_ = std::make_unique<ChoosePage>(controller_, folder_.path());
+  object_ = page_->findChild<QComboBox*>("object");
+  auto* folder = page_->findChild<QLineEdit*>("folder");
+  object_->setCurrentIndex(1 - object_->currentIndex());
+  EXPECT_TRUE(folder->text().endsWith(object_->currentText().toLower())) << folder->text().toStdString();
+  folder->selectAll();
+  QTest::keyClicks(folder, "/tmp/mine");
+  object_->setCurrentIndex(1 - object_->currentIndex());
+  EXPECT_EQ(folder->text(), "/tmp/mine");
+  folder->selectAll();
+  QTest::keyClick(folder, Qt::Key_Delete);
+  object_->setCurrentIndex(1 - object_->currentIndex());
+  EXPECT_TRUE(folder->text().endsWith(object_->currentText().toLower())) << folder->text().toStdString();
+}
+
+// Devices, scanner and a calibration made with them: it is there still when the page is left once more.
+TEST_F(ChoosePageTest, ACalibrationThatWasMadeStaysWhenTheOperatorGoesBack) {
+  testing::ToldDevices devices;
+  SessionController controller{jobs_, "", devices.factory()};
+  ChoosePage page(controller, folder_.path());
+  page.findChild<DeviceEditor*>()->setRig({FolderDevice{path("scans")}, SerialTableDevice{"/dev/nothing", {}}, {}, {}});
+  page.leaving();
+  controller.prepare();
+  controller.calibrating().calibrate(4);
+  ASSERT_TRUE(controller.calibrating().usable()) << controller.calibrating().failure().toStdString();
+  controller.calibrating().keep(folder_.path());
+  const std::string made = path("calibration.json");
+  EXPECT_EQ(controller.choice().rig.calibration, made);
+  page.entered();
+  EXPECT_EQ(page.findChild<DeviceEditor*>()->rig().calibration, made);
+  page.leaving();
+  EXPECT_EQ(controller.choice().rig.calibration, made);
 }
 
 }  // namespace
