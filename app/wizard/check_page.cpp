@@ -133,8 +133,16 @@ void CheckPage::refreshTestTurn() {
   turnFigures_->add(tr("Turn measured"), figureText(degrees(result->measured), 2) + QStringLiteral("°"));
   turnFigures_->add(tr("Axis moved by"), figureText(result->axisOffset, 2) + tr(" mm"));
   const bool failed = result->registration.verdict == Verdict::Failed;
-  turnVerdict_->setText(failed ? tr("The scans do not fit: %1").arg(translated(phraseOf(result->registration.finding)))
-                               : tr("The scans fit. The table turns as expected."));
+  const bool off = !failed && !result->asExpected();
+  turnVerdict_->setText(
+      failed ? tr("The scans do not fit: %1").arg(translated(phraseOf(result->registration.finding)))
+      : off  ? tr("The scans fit, but not where the profile expects the table after its turn: compare the figures, and "
+                   "calibrate the table or mend its profile.")
+      : result->registration.verdict == Verdict::Doubtful
+          ? tr("The scans fit, but hold on to each other too little to measure the turn: %1")
+                .arg(translated(phraseOf(result->registration.finding)))
+          : tr("The scans fit. The table turns as expected."));
+  setRole(*turnVerdict_, failed || off ? "warning" : "");
 }
 
 }  // namespace vantage

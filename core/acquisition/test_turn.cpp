@@ -27,6 +27,16 @@ Mechanics mechanicsOf(const Rig& rig, const ScannerProfile& profile) {
 
 }  // namespace
 
+bool TestTurn::asExpected() const {
+  // Two moves, and what a scan tells of a place: a small part of a degree and of a millimetre.
+  constexpr double kSigmas = 3.3;
+  constexpr double kScanAngle = 0.001;  // [rad]
+  constexpr double kScanOffset = 0.1;   // [mm]
+  const double angle = kSigmas * std::hypot(std::sqrt(2.0) * errors.angleSigma, kScanAngle);
+  const double offset = kSigmas * std::hypot(std::sqrt(2.0) * errors.positionSigma, kScanOffset);
+  return std::abs(measured - expected) <= angle && axisOffset <= offset;
+}
+
 TestTurn testTurn(const Rig& rig, const ScannerProfile& profile, int from, int to, const CutOptions& cut,
                   const Progress& progress) {
   TestTurn result;
@@ -47,7 +57,8 @@ TestTurn testTurn(const Rig& rig, const ScannerProfile& profile, int from, int t
     throw InvalidInput("the scan from position " + std::to_string(from) +
                        " has no surface: is the object inside the viewing volume?");
   IcpOptions options;
-  options.prior = turntablePrior(mechanicsOf(rig, profile));
+  result.errors = mechanicsOf(rig, profile);
+  options.prior = turntablePrior(result.errors);
   result.samples = first.samples;
   const RegistrationTarget target(transformed(a.mesh, first.image->T_table_scanner), a.confidence);
   const Pose& T_table_scanner = second.image->T_table_scanner;

@@ -54,6 +54,31 @@ TEST(TestTurn, BelievesThePositionerInHowFarItMayBeOff) {
   EXPECT_NE(turnOf(Mechanics{radians(1.0), 2.0}).registration.verdict, Verdict::Failed);
 }
 
+// The table turns farther than its profile has it, by much less than lets the scans not fit.
+TEST(TestTurn, IsAsExpectedOnlyWhereTheTableWasToBe) {
+  const auto profile = testing::smallProfile();
+  const auto turnFartherBy = [&](double more) {
+    auto sloppy = std::make_shared<ScannerProfile>(*profile);
+    sloppy->workspace.poses[2] = Eigen::AngleAxisd(more, Vec3::UnitZ()) * sloppy->workspace.poses[2];
+    Rig rig = testing::simulation(testing::smallObject(), profile, {7, true});
+    const auto turn = [table = rig.positioner](int position, const Progress& progress) {
+      static_cast<void>(table->moveTo(position, progress));
+    };
+    rig.positioner = std::make_shared<HandTable>(sloppy, turn, Mechanics{});
+    return testTurn(rig, *profile, 0, 2, {}, {});
+  };
+  EXPECT_TRUE(turnFartherBy(0.0).asExpected());
+  TestTurn result = turnFartherBy(0.0);
+  result.errors = {radians(0.3), 0.3};
+  result.measured = result.expected + radians(1.0);
+  EXPECT_TRUE(result.asExpected());
+  result.measured = result.expected - radians(2.0);
+  EXPECT_FALSE(result.asExpected());
+  result.measured = result.expected;
+  result.axisOffset = 2.0;
+  EXPECT_FALSE(result.asExpected());
+}
+
 TEST(TestTurn, SaysWhenTheScannerSeesNothing) {
   const auto profile = testing::smallProfile();
   const Rig rig = testing::simulation(testing::makeSphere(5, 8, {0, 0, 900}), profile, {7, true});
