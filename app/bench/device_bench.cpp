@@ -51,9 +51,7 @@ bool DeviceBench::real() const {
 }
 
 bool DeviceBench::hasTable() const {
-  if (!real()) return false;
-  const TableDevice& table = setUp_->choice.rig.table;
-  return std::holds_alternative<SerialTableDevice>(table) || std::holds_alternative<ProgramDevice>(table);
+  return real() && turnsByItself(setUp_->choice.rig.table);
 }
 
 void DeviceBench::show(Outcome outcome) {

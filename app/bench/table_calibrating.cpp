@@ -13,10 +13,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string freeName(const fs::path& folder) {
-  fs::path path = folder / "calibration.json";
-  for (int i = 2; fs::exists(path); ++i) path = folder / ("calibration-" + std::to_string(i) + ".json");
-  return path.string();
+// Under the first name that nothing has yet: "calibration.json", "calibration-2.json", ...
+std::string writeNew(const fs::path& folder, const std::string& text) {
+  for (int i = 1;; ++i) {
+    const fs::path path =
+        folder / (i == 1 ? std::string("calibration.json") : std::string("calibration-") + std::to_string(i) + ".json");
+    if (fs::exists(fs::symlink_status(path))) continue;
+    AtomicFile file(path.string());
+    file.write(text);
+    if (file.commitNew()) return path.string();
+  }
 }
 
 }  // namespace
@@ -39,8 +45,7 @@ QString TableCalibrating::whyNot() const {
   if (!work_.idle()) return tr("Something else is under way.");
   if (!setUp_ || !setUp_->devices) return tr("Scanner and object are not read yet.");
   if (!std::holds_alternative<RealDevices>(*setUp_->devices)) return tr("A simulated table needs no calibration.");
-  const TableDevice& table = setUp_->choice.rig.table;
-  if (std::holds_alternative<SerialTableDevice>(table) || std::holds_alternative<ProgramDevice>(table)) return {};
+  if (turnsByItself(setUp_->choice.rig.table)) return {};
   return tr("Only a table that turns by itself has an angle that can be calibrated.");
 }
 
@@ -87,11 +92,7 @@ void TableCalibrating::keep(const QString& folder) {
         std::error_code error;
         fs::create_directories(folder, error);
         if (error) throw IoError(folder, "cannot be made a folder: " + error.message());
-        const std::string path = freeName(folder);
-        AtomicFile file(path);
-        file.write(calibrationText(calibration));
-        file.commit();
-        return QString::fromStdString(path);
+        return QString::fromStdString(writeNew(folder, calibrationText(calibration)));
       },
       [this](const QString& path) { emit kept(path); });
 }

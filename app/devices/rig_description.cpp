@@ -104,6 +104,10 @@ std::string describe(const SensorDevice& sensor) {
   return std::visit(Sensors{}, sensor);
 }
 
+bool turnsByItself(const TableDevice& table) {
+  return std::holds_alternative<SerialTableDevice>(table) || std::holds_alternative<ProgramDevice>(table);
+}
+
 std::string describe(const TableDevice& table) {
   return std::visit(Tables{}, table);
 }

@@ -69,6 +69,9 @@ struct RigDescription {
   bool operator==(const RigDescription&) const = default;
 };
 
+/// Whether that is a real table with a drive.
+[[nodiscard]] bool turnsByItself(const TableDevice& table);
+
 /// "simulated", "folder:DIR", "openni2[:URI]", "replay:S.vantage". @throws InvalidInput for anything else
 [[nodiscard]] SensorDevice parseSensor(const std::string& text);
 /// "simulated", "none", "hand", "serial:PORT[,PROTOCOL]". @throws InvalidInput for anything else

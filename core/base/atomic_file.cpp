@@ -70,13 +70,36 @@ void AtomicFile::flush() {
   used_ = 0;
 }
 
-void AtomicFile::commit() {
+void AtomicFile::finish() {
   flush();
   const int closed = ::close(std::exchange(descriptor_, -1));
   if (closed != 0) fail(std::string("cannot be written: ") + std::strerror(errno));
+}
+
+void AtomicFile::commit() {
+  finish();
   if (written_ != path_ && std::rename(written_.c_str(), path_.c_str()) != 0)
     fail(std::string("cannot be put into its place: ") + std::strerror(errno));
   written_.clear();
+}
+
+bool AtomicFile::commitNew() {
+  finish();
+  // Whoever makes the name has it: not every file system renames without replacing.
+  const int made = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, kMode);
+  if (made < 0 && errno != EEXIST) fail(std::string("cannot be put into its place: ") + std::strerror(errno));
+  if (made < 0) {
+    discard();
+    return false;
+  }
+  ::close(made);
+  if (std::rename(written_.c_str(), path_.c_str()) != 0) {
+    const int why = errno;
+    ::unlink(path_.c_str());
+    fail(std::string("cannot be put into its place: ") + std::strerror(why));
+  }
+  written_.clear();
+  return true;
 }
 
 void AtomicFile::discard() noexcept {

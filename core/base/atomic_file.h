@@ -25,11 +25,15 @@ class AtomicFile {
 
   /// @throws IoError when the rest cannot be written or the file not put into its place.
   void commit();
+  /// The same where nothing is yet. @return whether it was so; what came there meanwhile stays.
+  /// @throws IoError like commit()
+  [[nodiscard]] bool commitNew();
 
   static constexpr std::size_t kMaxPiece = 1U << 16;
 
  private:
   void flush();
+  void finish();
   void discard() noexcept;
   [[noreturn]] void fail(const std::string& what);
 

@@ -64,6 +64,19 @@ TEST(AtomicFile, ReplacesWhatWasThere) {
   EXPECT_EQ(contentOf(path), large);
 }
 
+TEST(AtomicFile, AsANewFileTakesNobodysPlace) {
+  const TemporaryFolder folder;
+  const auto put = [&](const char* text) {
+    AtomicFile file(folder.file("a"));
+    file.write(text);
+    return file.commitNew();
+  };
+  EXPECT_TRUE(put("first"));
+  EXPECT_FALSE(put("second"));
+  EXPECT_EQ(contentOf(folder.file("a")), "first");
+  EXPECT_EQ(filesBelow(folder.file(".")).size(), 1U);
+}
+
 TEST(AtomicFile, SaysWhyItCannotWrite) {
   const TemporaryFolder folder;
   expectError<IoError>([&] { AtomicFile(folder.file("missing/a")); }, {"missing/a", "cannot be opened for writing"});
