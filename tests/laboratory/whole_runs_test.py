@@ -18,8 +18,7 @@ CAMERA = {
     "workspace": {"type": "turntable", "steps": 36},
     "viewing_volume": {"radius_mm": 100, "height_mm": 150},
     "mechanics": {"angle_sigma_deg": 0.3, "position_sigma_mm": 0.3}}
-FORMATS = {"ply-range-grid": [], "ply-points": [], "ptx": [], "pcd": [], "pcd-binary": [], "xyz-grid": [], "asc": [],
-           "png16": []}
+FORMATS = ("ply-range-grid", "ply-points", "ptx", "pcd", "pcd-binary", "xyz-grid", "asc", "png16")
 WAYS = ("whole", "slow", "rename", "burst", "truncated-then-complete")
 
 
@@ -71,6 +70,11 @@ class Runs(Programs, Case):
     def write_camera_profile(self):
         path = self.folder / "camera_profile.json"
         path.write_text(json.dumps(CAMERA))
+        return path
+
+    def write_pinhole(self):
+        path = self.folder / "pinhole.json"
+        path.write_text(json.dumps(CAMERA | {"scanner": CAMERA["scanner"] | {"noise": {"range_sigma_mm": 0.1}}}))
         return path
 
     def with_folder(self, mesh, *options, table=("grbl",)):
@@ -176,7 +180,7 @@ class Folder(Runs):
         self.table()
         self.vendor(*options, profile=profile)
         ended = self.acquire("folder:%s" % self.scans, "serial:%s,grbl" % self.port, "--max-views", "3", profile=profile,
-                             limit=120)
+                             limit=400)
         self.assertEqual(ended.code, 4, ended.err)
         report = ended.report()
         self.assertEqual(report["terminated_by"], "max_views", ended.err)
@@ -186,18 +190,13 @@ class Folder(Runs):
         self.assertLessEqual(found["rms_mm"], 0.12, found)
         self.assertLessEqual(found["false_surface"], 0.0005, found)
 
-    def test_formats(self):
-        for kind in FORMATS:
-            with self.subTest(kind):
+    def every_way(self, kind):
+        for way in WAYS:
+            with self.subTest(format=kind, way=way):
                 self.fresh()
                 profile = self.write_pinhole() if kind == "png16" else STRIPE
-                self.few_views("--format", kind, profile=profile)
-
-    def test_ways(self):
-        for way in WAYS:
-            with self.subTest(way):
-                self.fresh()
-                self.few_views("--write", way, "--write-seconds", "2", "--binary")
+                self.few_views("--format", kind, *binary_of(kind), "--write", way, "--write-seconds", "2",
+                               profile=profile)
 
     def test_one_name_again_and_again(self):
         self.few_views("--name", "scan.ply")
@@ -215,11 +214,31 @@ class Folder(Runs):
             self.doCleanups()
             self.setUp()
 
-    def write_pinhole(self):
-        path = self.folder / "pinhole.json"
-        path.write_text(json.dumps(CAMERA | {"scanner": CAMERA["scanner"] | {"noise": {"range_sigma_mm": 0.1}}}))
-        return path
 
+class Formats(Runs):
+    """A complete model from every format."""
+
+    def complete(self, kind, mesh):
+        profile = self.write_pinhole() if kind == "png16" else STRIPE
+        self.table()
+        self.vendor("--format", kind, *binary_of(kind), mesh=mesh, profile=profile)
+        self.expect_complete(self.acquire("folder:%s" % self.scans, "serial:%s,grbl" % self.port, profile=profile), mesh,
+                             profile)
+
+
+def binary_of(kind):
+    return ["--binary"] if kind == "ply-range-grid" else []
+
+
+def add_cases():
+    for kind in FORMATS:
+        name = "test_" + kind.replace("-", "_")
+        setattr(Folder, name, lambda self, kind=kind: self.every_way(kind))
+        for mesh in ("mug", "candle_holder"):
+            setattr(Formats, name + "_" + mesh, lambda self, kind=kind, mesh=mesh: self.complete(kind, mesh))
+
+
+add_cases()
 
 if __name__ == "__main__":
     unittest.main()
