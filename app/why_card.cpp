@@ -90,6 +90,10 @@ void addPatches(WhyCard& card, const Explanation& why) {
       {Text::tr("Void patches it wins"), QString::number(why.patches), parts.join(QStringLiteral(", "))});
 }
 
+QString patchesText(std::size_t count) {
+  return count == 1 ? Text::tr("1 patch") : Text::tr("%1 patches").arg(count);
+}
+
 void addSights(WhyCard& card, const PositionSight& sight) {
   const std::pair<Visibility, const char*> rows[] = {
       {Visibility::Seen, QT_TRANSLATE_NOOP("WhyCard", "in sight")},
@@ -98,8 +102,7 @@ void addSights(WhyCard& card, const PositionSight& sight) {
       {Visibility::TooSteep, QT_TRANSLATE_NOOP("WhyCard", "too steep")},
       {Visibility::OutOfReach, QT_TRANSLATE_NOOP("WhyCard", "outside the sampling area")}};
   for (const auto& [visibility, text] : rows)
-    card.sights.push_back(
-        {Text::tr(text), areaText(sight.area(visibility)), Text::tr("%1 patches").arg(sight.count(visibility))});
+    card.sights.push_back({Text::tr(text), areaText(sight.area(visibility)), patchesText(sight.count(visibility))});
   const auto blocked = [&](Visibility wanted) -> std::uint32_t {
     for (const PatchSight& patch : sight.patches)
       if (patch.visibility == wanted && patch.blocker != kNoIndex) return patch.blocker;

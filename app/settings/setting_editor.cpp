@@ -56,10 +56,22 @@ SettingEditor makeWhole(const SettingField& field, AcquisitionSettings& settings
           }};
 }
 
+// What a choice means, for people; files have its code.
+QString choiceWords(std::string_view choice) {
+  static constexpr std::pair<std::string_view, const char*> kWords[] = {
+      {"as-is", QT_TRANSLATE_NOOP("Settings", "As in the file")},
+      {"fit", QT_TRANSLATE_NOOP("Settings", "Fit in volume")},
+      {"spacing", QT_TRANSLATE_NOOP("Settings", "By spacing")},
+      {"triangle", QT_TRANSLATE_NOOP("Settings", "By triangle")}};
+  for (const auto& [code, words] : kWords)
+    if (code == choice) return settingWords(words);
+  return settingWords(choice);
+}
+
 SettingEditor makeChoice(const SettingField& field, AcquisitionSettings& settings, const Edited& edited) {
   auto* box = new QComboBox;
   for (const std::string_view choice : field.choices)
-    box->addItem(settingWords(choice), QString::fromUtf8(choice.data(), static_cast<qsizetype>(choice.size())));
+    box->addItem(choiceWords(choice), QString::fromUtf8(choice.data(), static_cast<qsizetype>(choice.size())));
   QObject::connect(box, &QComboBox::currentIndexChanged, box,
                    [box, &field, &settings, edited] { take(field, settings, box->currentData().toString(), edited); });
   return {box, [box, &field, &settings] {

@@ -155,5 +155,18 @@ TEST(SettingsForm, ProfileOfOptionsIsSavedAndLoaded) {
   EXPECT_EQ(loaded.settings(), saved.settings());
 }
 
+TEST(SettingsForm, ShowsChoicesInWordsAndKeepsTheirCodes) {
+  const SettingsForm form;
+  for (const SettingField& field : settingFields()) {
+    if (field.kind != SettingField::Kind::Choice) continue;
+    const auto* box = form.findChild<QComboBox*>(QString::fromStdString(std::string(field.key)));
+    ASSERT_TRUE(box != nullptr) << field.key;
+    for (int i = 0; i < box->count(); ++i) {
+      EXPECT_EQ(box->itemData(i).toString().toStdString(), field.choices[static_cast<std::size_t>(i)]);
+      EXPECT_NE(box->itemText(i), box->itemData(i).toString()) << field.key;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace vantage

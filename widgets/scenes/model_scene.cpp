@@ -96,6 +96,11 @@ std::optional<KeyLegend> coloursLegend(const VertexColours& colours) {
   return KeyLegend{Text::tr("Surface in its colours"), {{toColour(kGrey), Text::tr("no colour was measured")}}};
 }
 
+QString voidPatchesText(std::size_t count) {
+  return count == 1 ? Text::tr("1 void patch")
+                    : Text::tr("%1 void patches").arg(shortNumber(static_cast<double>(count)));
+}
+
 double areaOf(const VoidSurface& voids) {
   double sum = 0.0;
   for (const VoidPatch& patch : voids.patches) sum += patch.weight;
@@ -208,8 +213,8 @@ Overlay ModelScene::overlay() const {
   if (state.model)
     overlay.notes << Text::tr("%1 triangles").arg(shortNumber(static_cast<double>(state.model->mesh.triangles.size())));
   if (snapshot_->plan && snapshot_->plan->voids)
-    overlay.notes << Text::tr("%1 void patches, %2 mm²")
-                         .arg(shortNumber(static_cast<double>(snapshot_->plan->voids->patches.size())),
+    overlay.notes << Text::tr("%1, %2 mm²")
+                         .arg(voidPatchesText(snapshot_->plan->voids->patches.size()),
                               shortNumber(areaOf(*snapshot_->plan->voids)));
   if (!options_.legends) return overlay;
   if (options_.voidPatches && snapshot_->plan && snapshot_->plan->voids && !snapshot_->plan->voids->patches.empty())
