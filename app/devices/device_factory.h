@@ -19,7 +19,7 @@ struct Simulated {
   std::shared_ptr<const Mesh> object;  ///< as it stands on the table
   std::shared_ptr<const ScannerProfile> profile;
   SimulationOptions options;
-  HandTable::AskPerson ask;  ///< a person turns the table; empty: it turns by itself
+  HandTable::AskPerson ask = {};  ///< a person turns the table; empty: it turns by itself
 };
 
 /// How well a person who turns a table meets an angle: fifteen degrees are two sigmas.
@@ -29,9 +29,9 @@ inline constexpr Mechanics kTurnedByHand{radians(7.5), 3.0};
 struct RealDevices {
   RigDescription rig;
   std::shared_ptr<const ScannerProfile> profile;
-  HandTable::AskPerson ask;    ///< for a table that a person turns
-  ScanReadingOptions reading;  ///< what is said about files that come as scans
-  TableStand stands = {};      ///< where the table stands when it is opened
+  HandTable::AskPerson ask;         ///< for a table that a person turns
+  ScanReadingOptions reading = {};  ///< what is said about files that come as scans
+  TableStand stands = {};           ///< where the table stands when it is opened
 };
 
 /// What scans are taken with, by kind.

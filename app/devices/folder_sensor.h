@@ -18,11 +18,12 @@ namespace vantage {
 
 struct FolderSensorOptions {
   std::string folder;
-  ScanReadingOptions reading;                         ///< what an operator says about the files
-  std::optional<std::chrono::milliseconds> deadline;  ///< for a file to come; nothing: it is waited for until it comes
-  bool existing = false;                              ///< files that are there already are taken as well
-  std::chrono::milliseconds rest{500};                ///< see FolderWatch
-  std::chrono::milliseconds interval{100};            ///< between two looks
+  ScanReadingOptions reading;  ///< what an operator says about the files
+  std::optional<std::chrono::milliseconds> deadline =
+      {};                                   ///< for a file to come; nothing: it is waited for until it comes
+  bool existing = false;                    ///< files that are there already are taken as well
+  std::chrono::milliseconds rest{500};      ///< see FolderWatch
+  std::chrono::milliseconds interval{100};  ///< between two looks
 };
 
 /// A file that was seen and not taken.

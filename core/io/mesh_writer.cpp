@@ -70,7 +70,10 @@ std::string greyComment(const VertexColours& colours) {
   const std::size_t grey = countColourless(colours);
   if (grey == 0) return {};
   std::string text = "comment no colour was measured at " + std::to_string(grey) + " vertices, which are";
-  for (const int channel : kGrey) text += " " + std::to_string(channel);
+  for (const int channel : kGrey) {
+    text += ' ';
+    text += std::to_string(channel);
+  }
   return text + "\n";
 }
 

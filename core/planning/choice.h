@@ -34,7 +34,7 @@ struct ChoiceOptions {
   bool preferOverlap = false;
   /// At last overlap and pose error bind no more for what promises more than this: the table places the view [mm^2].
   /// Unset: never.
-  std::optional<double> tableAloneThreshold;
+  std::optional<double> tableAloneThreshold = {};
 };
 
 /// The decision over all positions.

@@ -12,7 +12,7 @@ namespace vantage {
 struct Rig {
   std::shared_ptr<RangeSensor> sensor;
   std::shared_ptr<Positioner> positioner;
-  std::shared_ptr<Turntable> table;  ///< of the positioner, where it can be jogged, homed and calibrated
+  std::shared_ptr<Turntable> table = nullptr;  ///< of the positioner, where it can be jogged, homed and calibrated
 };
 
 /// The same rig with both devices open. @throws DeviceError, Cancelled

@@ -29,7 +29,7 @@ std::string freeNameBeside(const fs::path& path) {
   const std::string stem = path.stem().string() + "-before";
   for (int i = 1;; ++i) {
     fs::path name = path;
-    name.replace_filename(stem + (i == 1 ? "" : "-" + std::to_string(i)) + path.extension().string());
+    name.replace_filename((i == 1 ? stem : stem + "-" + std::to_string(i)) + path.extension().string());
     if (!fs::exists(fs::symlink_status(name))) return name.string();
   }
 }

@@ -91,7 +91,9 @@ inline std::string pointText(const WrittenScan& scan, const Writing& how, std::s
 inline std::string colourText(const Writing& how, std::size_t i) {
   if (!how.colours) return {};
   const Colour c = WrittenScan::colourOf(i);
-  return " " + std::to_string(c[0]) + " " + std::to_string(c[1]) + " " + std::to_string(c[2]);
+  std::string text;
+  for (const int channel : c) (text += ' ') += std::to_string(channel);
+  return text;
 }
 
 /// The rays in the order of the file.

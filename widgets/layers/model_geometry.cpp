@@ -106,40 +106,40 @@ ModelColouring ModelGeometry::shown(std::optional<ModelColouring> asked) const {
 }
 
 vtkSmartPointer<vtkPolyData> ModelGeometry::coloured(ModelColouring colouring, std::size_t views) const {
-  std::vector<Rgb> colours;
+  std::vector<Rgb> painted;
   switch (colouring) {
     case ModelColouring::Plain:
       return surface;
     case ModelColouring::Confidence:
-      for (const float c : model->confidence) colours.push_back(confidenceColour(c));
-      return withPointColours(*surface, colours);
+      for (const float c : model->confidence) painted.push_back(confidenceColour(c));
+      return withPointColours(*surface, painted);
     case ModelColouring::View:
-      for (const std::uint32_t view : model->triangleView) colours.push_back(viewColour(view));
+      for (const std::uint32_t view : model->triangleView) painted.push_back(viewColour(view));
       break;
     case ModelColouring::Age:
-      for (const std::uint32_t view : model->triangleView) colours.push_back(ageColour(view, views));
+      for (const std::uint32_t view : model->triangleView) painted.push_back(ageColour(view, views));
       break;
     case ModelColouring::Colours:
-      for (const auto& colour : this->colours) colours.push_back(colour.value_or(kGrey));
-      return withPointColours(*surface, colours);
+      for (const auto& colour : colours) painted.push_back(colour.value_or(kGrey));
+      return withPointColours(*surface, painted);
   }
-  return withCellColours(*surface, colours);
+  return withCellColours(*surface, painted);
 }
 
 vtkSmartPointer<vtkPolyData> ModelGeometry::colouredCoarse(ModelColouring colouring, std::size_t views) const {
   if (colouring == ModelColouring::Plain || coarse == nullptr) return coarse;
-  std::vector<Rgb> colours;
+  std::vector<Rgb> painted;
   for (const std::uint32_t v : coarseVertex) {
     if (colouring == ModelColouring::Confidence)
-      colours.push_back(confidenceColour(model->confidence[v]));
+      painted.push_back(confidenceColour(model->confidence[v]));
     else if (colouring == ModelColouring::View)
-      colours.push_back(viewColour(model->vertexView[v]));
+      painted.push_back(viewColour(model->vertexView[v]));
     else if (colouring == ModelColouring::Colours)
-      colours.push_back(this->colours[v].value_or(kGrey));
+      painted.push_back(colours[v].value_or(kGrey));
     else
-      colours.push_back(ageColour(model->vertexView[v], views));
+      painted.push_back(ageColour(model->vertexView[v], views));
   }
-  return withPointColours(*coarse, colours);
+  return withPointColours(*coarse, painted);
 }
 
 std::shared_ptr<const ModelGeometry> prepareSurface(std::shared_ptr<const Model> model) {

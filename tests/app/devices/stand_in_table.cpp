@@ -182,7 +182,7 @@ class Grbl final : public Board {
 
   [[nodiscard]] std::string list(double value) const {
     std::string text;
-    for (std::size_t i = 0; i < o_.axes; ++i) text += (i == 0 ? "" : ",") + (i == o_.axis ? number(value) : "0.000");
+    for (std::size_t i = 0; i < o_.axes; ++i) (text += i == 0 ? "" : ",") += i == o_.axis ? number(value) : "0.000";
     return text;
   }
 

@@ -33,7 +33,7 @@ std::vector<ReadScan> read(const std::vector<std::string>& texts, const ScanRead
   const TemporaryFolder folder;
   std::vector<std::string> files;
   for (std::size_t i = 0; i < texts.size(); ++i)
-    files.push_back(folder.write("s" + std::to_string(i) + ".ply", texts[i]));
+    files.push_back(folder.write(std::string("s") + std::to_string(i) + ".ply", texts[i]));
   return readScans(files, list, profile, options);
 }
 
@@ -63,7 +63,7 @@ Round roundOf(double forward, bool pinhole, const PlyStyle& style = {}, double l
     const Pose pose = poseAround(60.0 * i, forward, pinhole ? kDistance : 0.0);
     round.grids.push_back(seeLump(60, 56, pinhole ? pinholeRays(forward) : parallelRays(forward), pose));
     round.texts.push_back(plyOf(round.grids.back(), style));
-    round.list.push_back({"s" + std::to_string(i), pose});
+    round.list.push_back({std::string("s") + std::to_string(i), pose});
     round.list.back().T_object_scanner.translation() *= listUnit;
   }
   return round;

@@ -347,7 +347,9 @@ TEST(ScanCut, OnlyWhatIsCutIsTakenOut) {
   EXPECT_EQ(cut.image->rays, whole->rays);
   for (std::size_t i = 0; i < reasons.size(); ++i) {
     ASSERT_EQ(cut.image->valid(i), reasons[i] == CutReason::Kept);
-    if (cut.image->valid(i)) ASSERT_EQ(cut.image->range[i], whole->range[i]);
+    if (cut.image->valid(i)) {
+      ASSERT_EQ(cut.image->range[i], whole->range[i]);
+    }
   }
 }
 

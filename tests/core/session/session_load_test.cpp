@@ -56,7 +56,7 @@ void addSteps(const std::string& path, std::int64_t count) {
 TEST(SessionLoad, OfVeryManyStepsTheLastAreRead) {
   const testing::TemporaryFolder folder;
   const std::string path = folder.file("many.vantage");
-  testing::createSmallSession(path, {});
+  static_cast<void>(testing::createSmallSession(path, {}));
   addSteps(path, kMostSteps + 20);
   const std::string bytes = testing::bytesOf(path);
 
@@ -75,7 +75,7 @@ TEST(SessionLoad, OfVeryManyStepsTheLastAreRead) {
 TEST(SessionLoad, OfVeryManyDamagedStepsSomeAreNamedAndTheOthersCounted) {
   const testing::TemporaryFolder folder;
   const std::string path = folder.file("many.vantage");
-  testing::createSmallSession(path, {});
+  static_cast<void>(testing::createSmallSession(path, {}));
   addSteps(path, 500);
   Database(path, Database::Mode::Write).run("UPDATE step SET sum = 1");
   const std::vector<Loss> losses = Session::open(path, SessionAccess::Read).losses();
