@@ -59,10 +59,10 @@ SettingEditor makeWhole(const SettingField& field, AcquisitionSettings& settings
 // What a choice means, for people; files have its code.
 QString choiceWords(std::string_view choice) {
   static constexpr std::pair<std::string_view, const char*> kWords[] = {
-      {"as-is", QT_TRANSLATE_NOOP("Settings", "As in the file")},
-      {"fit", QT_TRANSLATE_NOOP("Settings", "Fit in volume")},
-      {"spacing", QT_TRANSLATE_NOOP("Settings", "By spacing")},
-      {"triangle", QT_TRANSLATE_NOOP("Settings", "By triangle")}};
+      {"as-is", QT_TRANSLATE_NOOP("Settings", "As it is")},
+      {"fit", QT_TRANSLATE_NOOP("Settings", "Fitted")},
+      {"spacing", QT_TRANSLATE_NOOP("Settings", "Spacing")},
+      {"triangle", QT_TRANSLATE_NOOP("Settings", "Triangle")}};
   for (const auto& [code, words] : kWords)
     if (code == choice) return settingWords(words);
   return settingWords(choice);
