@@ -33,7 +33,7 @@ std::vector<ReadScan> read(const std::vector<std::string>& texts, const ScanRead
   const TemporaryFolder folder;
   std::vector<std::string> files;
   for (std::size_t i = 0; i < texts.size(); ++i)
-    files.push_back(folder.write(std::string("s") + std::to_string(i) + ".ply", texts[i]));
+    files.push_back(folder.write(std::to_string(i) + ".ply", texts[i]));
   return readScans(files, list, profile, options);
 }
 
