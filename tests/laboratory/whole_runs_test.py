@@ -50,7 +50,8 @@ class Runs(Programs, Case):
             simulated["false_surface"])
         print(line, flush=True)
         self.assertGreaterEqual(found["coverage_of_scannable"], simulated["coverage_of_scannable"] - 0.01, line)
-        self.assertLessEqual(found["rms_mm"], 1.2 * noise, line)
+        # Where the samples are far apart their triangles, too, leave the surface: also with the simulated scanner.
+        self.assertLessEqual(found["rms_mm"], max(1.2 * noise, 1.02 * simulated["rms_mm"]), line)
         self.assertLessEqual(found["false_surface"], 0.0005 + 2.0 * simulated["false_surface"], line)
         self.expect_nothing_else()
         self.info()
