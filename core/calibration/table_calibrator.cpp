@@ -147,7 +147,8 @@ double misfitOf(const ScrewFit& fit, std::size_t scan, double gate) {
 double lowestPoint(const TurningViews& views, const ScrewMotion& motion) {
   std::vector<double> heights;
   for (const PreparedView& view : views.views())
-    for (const Vec3& p : view.points.points) heights.push_back((p - motion.point).dot(motion.direction));
+    for (std::size_t k = 0; k < view.points.size(); ++k)
+      heights.push_back((view.points.pointAt(k) - motion.point).dot(motion.direction));
   if (heights.empty()) return 0.0;
   // A few samples fly.
   const auto low = heights.begin() + static_cast<std::ptrdiff_t>(heights.size() / 200);
