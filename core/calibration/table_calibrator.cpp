@@ -40,6 +40,21 @@ void require(std::span<const CalibrationScan> scans) {
       throw InvalidInput("scan " + std::to_string(k + 1) + " has no table angle, expected a number of degrees");
 }
 
+// The scans as they are worked on: all on the rays of the first one.
+std::vector<CalibrationScan> thinnedScans(std::span<const CalibrationScan> scans, const ThinningOptions& options) {
+  std::vector<CalibrationScan> some(scans.begin(), scans.end());
+  const int step = thinningStep(*scans.front().image, options);
+  std::shared_ptr<const RayGrid> rays;
+  for (CalibrationScan& scan : some) {
+    if (scan.image->rays->rows() != scans.front().image->rays->rows() ||
+        scan.image->rays->columns() != scans.front().image->rays->columns())
+      return {scans.begin(), scans.end()};
+    scan.image = thinned(scan.image, step, rays);
+    rays = scan.image->rays;
+  }
+  return some;
+}
+
 std::vector<double> anglesOf(std::span<const CalibrationScan> scans) {
   std::vector<double> angles;
   for (const CalibrationScan& scan : scans) angles.push_back(scan.tableAngle);
@@ -373,7 +388,7 @@ void Calibrator::placeTable(const ScrewMotion& motion, const TurningViews& views
 CalibrationResult calibrateTable(std::span<const CalibrationScan> scans, const ScannerProfile& profile,
                                  const CalibrationOptions& options, const Progress& progress) {
   require(scans);
-  CalibrationResult result = Calibrator(scans, profile, options).run(progress);
+  CalibrationResult result = Calibrator(thinnedScans(scans, options.thinning), profile, options).run(progress);
   progress.checkpoint(1.0);
   return result;
 }
