@@ -12,6 +12,7 @@
 #include "cli/settings_arguments.h"
 #include "cli/text.h"
 #include "io/placement.h"
+#include "scanner/profile_size.h"
 #include "session/session_place.h"
 
 namespace vantage {
@@ -72,7 +73,7 @@ void run(const AcquireArguments& given, CommandContext& context) {
   if (!args.replace) results.mustBeNew();
   results.mustBeReplaceable({args.object, file.rig.scanner});
   const ProfileSource source = profileOf(file.rig);
-  tellMemoryNeeded(source, args.settings, context);
+  tellMemoryNeeded(raysSaidBy(source), args.settings, 0, context);
   const auto profile = std::make_shared<const ScannerProfile>(parseProfile(source));
   checkArguments(args, simulated, *profile);
   std::shared_ptr<const Mesh> object;

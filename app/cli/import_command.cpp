@@ -10,6 +10,7 @@
 #include "cli/session_run.h"
 #include "cli/settings_arguments.h"
 #include "io/recorded_scans.h"
+#include "scanner/profile_size.h"
 #include "session/import_note.h"
 #include "session/session.h"
 #include "session/session_place.h"
@@ -57,7 +58,7 @@ void run(const ImportArguments& args, CommandContext& context) {
   std::shared_ptr<const ScannerProfile> profile;
   if (args.scanner != "generic") {
     source = readProfileSource(args.scanner);
-    tellMemoryNeeded(*source, args.given.applied({}), context);
+    tellMemoryNeeded(raysSaidBy(*source), args.given.applied({}), args.files.size() - 1, context);
     profile = std::make_shared<const ScannerProfile>(parseProfile(*source));
   }
   const Progress progress = context.progress();

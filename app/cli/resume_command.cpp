@@ -53,6 +53,9 @@ void run(const ResumeArguments& args, CommandContext& context) {
   if (import && !args.out.empty())
     throw InvalidInput("--out is for acquisitions: an import writes into its session, export writes the model");
   if (!args.given.empty()) changeSettings(session, args.given.appliedToSession(session.state()->settings), context);
+  const AcquisitionState& state = *session.state();
+  const std::size_t scans = import ? import->scans.size() - 1 : state.scans.size();
+  if (const auto profile = session.profile()) tellMemoryNeeded(profile->rays->size(), state.settings, scans, context);
   if (import) return finishImport(session, *import, context);
   if (!session.profile())
     throw InvalidInput(

@@ -11,6 +11,7 @@
 #include "devices/device_factory.h"
 #include "planning/choice.h"
 #include "positional_space/scanner_images_cache.h"
+#include "report/memory_note.h"
 #include "report/report.h"
 #include "report/wording.h"
 #include "scanner/profile_size.h"
@@ -186,18 +187,12 @@ void SessionRun::announce() {
   context_.result(report_, text, warningsOf(*last_));
 }
 
-void tellMemoryNeeded(const ProfileSource& source, const AcquisitionSettings& settings, CommandContext& context) {
-  constexpr double kWorthSaying = 300.0;  // [MB]
-  const std::size_t rays = raysSaidBy(source);
-  const MemoryNeeded needed = memoryFor(rays, settings.thinning);
-  if (needed.megabytes <= kWorthSaying) return;
-  std::string text = "the scanner has " + number(static_cast<double>(rays) / 1e6, 1) +
-                     " million rays: this takes about " + number(needed.megabytes / 1e3, 1) + " GB of memory, about " +
-                     number(needed.everyScan / 1e3, 1) + " GB more with every scan, and every step some time";
-  if (needed.worked < rays)
-    text += "; of every scan about " + number(static_cast<double>(needed.worked) / 1e6, 1) +
-            " million samples are worked on, the session keeps all (--set triangulation.spacing=0 works on all)";
-  context.note(text);
+void tellMemoryNeeded(std::size_t rays, const AcquisitionSettings& settings, std::size_t scans,
+                      CommandContext& context) {
+  const auto note = memoryNote(rays, settings.thinning, scans);
+  if (!note) return;
+  const bool thinned = memoryFor(rays, settings.thinning).worked < rays;
+  context.note(english(*note) + (thinned ? " (--set triangulation.spacing=0 works on all)" : ""));
 }
 
 }  // namespace vantage

@@ -44,6 +44,8 @@ class SessionRun {
 void changeSettings(Session& session, const AcquisitionSettings& settings, CommandContext& context);
 
 /// Says how much memory a scanner of very many rays takes before any of the work on it begins.
-void tellMemoryNeeded(const ProfileSource& source, const AcquisitionSettings& settings, CommandContext& context);
+/// @param scans that the session has already
+void tellMemoryNeeded(std::size_t rays, const AcquisitionSettings& settings, std::size_t scans,
+                      CommandContext& context);
 
 }  // namespace vantage

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "acquisition/prepared_scans.h"
 #include "planning/turn_spread.h"
 #include "registration/position_search.h"
 #include "registration/registration_scale.h"
@@ -120,7 +121,8 @@ std::vector<View> firmViews(const AcquisitionState& state) {
 
 RegistrationResult registerOnTurn(const AcquisitionState& state, const KeptScan& scan, const StepOptions& options,
                                   const Progress& progress) {
-  const ViewSurface surface(*scan.view.mesh, *scan.view.image->rays);
+  const PreparedView prepared = preparedViews({&scan}, progress).front();
+  const ViewSurface& surface = prepared.surface;
   const Search search = searchFor(state, scan, options);
   const std::vector<View> firm = firmViews(state);
   const bool allFirm = firm.size() == countScans(state, ScanStatus::In);
@@ -140,19 +142,24 @@ bool settleLooseViews(AcquisitionState& state, const StepOptions& options, const
   for (KeptScan& scan : state.scans) {
     if (!isLoose(scan)) continue;
     const std::vector<View> firm = firmViews(state);
-    const ViewSurface surface(*scan.view.mesh, *scan.view.image->rays);
-    const auto found = foundIn(searchFor(state, scan, options), surface, RegistrationTarget(firm), progress);
+    std::vector<const KeptScan*> scans;
+    for (const KeptScan& other : state.scans)
+      if (other.status == ScanStatus::In && !isLoose(other)) scans.push_back(&other);
+    scans.push_back(&scan);
+    const std::vector<PreparedView> prepared = preparedViews(scans, progress);
+    const auto found =
+        foundIn(searchFor(state, scan, options), prepared.back().surface, RegistrationTarget(firm), progress);
     std::vector<View> views = firm;
     views.push_back(scan.view);
     if (found) views.back().T_object_scanner = found->T_object_scanner;
     const bool isGood = found && found->verdict == Verdict::Good;
-    const auto contradiction =
-        contradictionOfLast(views, prepareViews(views, progress), !isGood, options.registration, progress);
+    const auto contradiction = contradictionOfLast(views, prepared, !isGood, options.registration, progress);
     if (contradiction) {
       scan.status = ScanStatus::Rejected;
       scan.record.registration.verdict = Verdict::Failed;
       scan.record.registration.finding = {VerdictReason::ContradictsOthers, *contradiction, {}};
       scan.view.mesh = nullptr;
+      scan.prepared.reset();
     } else if (isGood) {
       scan.record.registration = *found;
       scan.view.T_object_scanner = found->T_object_scanner;

@@ -9,6 +9,7 @@
 #include "acquisition/phase_times.h"
 #include "planning/plan.h"
 #include "registration/icp.h"
+#include "registration/view_network.h"
 #include "scanner/scan_reading.h"
 #include "scanner/scan_use.h"
 #include "scanner/triangulation.h"
@@ -49,6 +50,8 @@ struct KeptScan {
   /// other scans the mesh is null and the place what was expected. The journal has the image as it came.
   View view;
   ScanRecord record;
+  /// The view as registration works with it; nothing before that was needed, see `prepareScans`.
+  std::optional<PreparedView> prepared = {};
 
   [[nodiscard]] const Station& station() const { return view.image->station; }
 };

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "acquisition/hand_placing.h"
+#include "acquisition/prepared_scans.h"
 #include "acquisition/steps.h"
 #include "registration/position_search.h"
 #include "registration/registration_target.h"
@@ -30,10 +31,13 @@ RegistrationResult registerWithModel(const AcquisitionState& state, const KeptSc
   const View& view = scan.view;
   if (!state.model) return firstRegistration(view.T_object_scanner);
   if (turnedByGuess(*view.image)) return registerOnTurn(state, scan, options, progress);
+  progress.checkpoint(0.0);
   const RegistrationTarget target(state.model->mesh, state.model->confidence);
+  progress.checkpoint(0.0);
   IcpOptions registration = options.registration;
   if (const KeptScan* last = lastView(state, scan.station().stand)) registration.prior = priorOf(options, *last, scan);
-  return registerView(*view.mesh, *view.image->rays, view.T_object_scanner, target, registration, progress);
+  const std::vector<PreparedView> prepared = preparedViews({&scan}, progress);
+  return registerView(prepared.front().surface, view.T_object_scanner, target, registration, progress);
 }
 
 // Where in the workspace a scan fits which does not fit its own position.
@@ -48,7 +52,7 @@ std::optional<FittingPose> otherPlace(const AcquisitionState& state, const KeptS
   }
   IcpOptions registration = options.registration;
   registration.prior.reset();
-  return poseThatFits(ViewSurface(*scan.view.mesh, *scan.view.image->rays), candidates,
+  return poseThatFits(preparedViews({&scan}, progress).front().surface, candidates,
                       RegistrationTarget(state.model->mesh, state.model->confidence), registration, progress);
 }
 
@@ -80,8 +84,8 @@ void placeByTable(const KeptScan& scan, const StepOptions& options, Registration
   found.finding = {VerdictReason::TableAlone, static_cast<double>(found.pairs), {}};
 }
 
-std::vector<PreparedView> checkAgainstOthers(const AcquisitionState& state, KeptScan& scan, const StepOptions& options,
-                                             const Progress& progress);
+void checkAgainstOthers(const AcquisitionState& state, KeptScan& scan, const StepOptions& options,
+                        const Progress& progress);
 
 // A table that slipped, or was pushed, brought the scan elsewhere: it counts there, but nothing is good about it.
 bool placeWhereSlipped(const AcquisitionState& state, KeptScan& scan, const FittingPose& fits,
@@ -93,7 +97,7 @@ bool placeWhereSlipped(const AcquisitionState& state, KeptScan& scan, const Fitt
   there.record.registration.verdict = Verdict::Doubtful;
   there.record.registration.finding = {
       VerdictReason::TableSlipped, slipOf(scan.view.T_object_scanner, fits.registration.T_object_scanner), {}};
-  static_cast<void>(checkAgainstOthers(state, there, options, progress));
+  checkAgainstOthers(state, there, options, progress);
   if (there.record.registration.verdict == Verdict::Failed) return false;
   scan.record.registration = there.record.registration;
   return true;
@@ -111,22 +115,24 @@ void explainFailure(const AcquisitionState& state, KeptScan& scan, const StepOpt
 }
 
 // A scan that fits the model may still contradict what the views have looked through, or show emptiness where they saw
-// surface. @return all views that the scan was held against and the scan, prepared; none where it is alone
-std::vector<PreparedView> checkAgainstOthers(const AcquisitionState& state, KeptScan& scan, const StepOptions& options,
-                                             const Progress& progress) {
+// surface.
+void checkAgainstOthers(const AcquisitionState& state, KeptScan& scan, const StepOptions& options,
+                        const Progress& progress) {
   const bool isDoubtful = scan.record.registration.verdict == Verdict::Doubtful;
+  std::vector<const KeptScan*> scans;
   // What is good fears no views of which nobody knows where they are.
-  std::vector<View> views = isDoubtful ? viewsOf(state) : firmViews(state);
-  views.push_back(scan.view);
+  for (const KeptScan* other : scansOf(state, ScanStatus::In))
+    if (isDoubtful || !isLoose(*other)) scans.push_back(other);
+  if (scans.empty()) return;
+  scans.push_back(&scan);
+  std::vector<View> views;
+  for (const KeptScan* each : scans) views.push_back(each->view);
   views.back().T_object_scanner = scan.record.registration.T_object_scanner;
-  if (views.size() < 2) return {};
-  std::vector<PreparedView> prepared = prepareViews(views, progress.part(0.0, 0.7));
-  const auto contradiction =
-      contradictionOfLast(views, prepared, isDoubtful, options.registration, progress.part(0.7, 1.0));
-  if (!contradiction) return prepared;
+  const auto contradiction = contradictionOfLast(views, preparedViews(scans, progress.part(0.0, 0.5)), isDoubtful,
+                                                 options.registration, progress.part(0.5, 1.0));
+  if (!contradiction) return;
   scan.record.registration.verdict = Verdict::Failed;
   scan.record.registration.finding = {VerdictReason::ContradictsOthers, *contradiction, {}};
-  return prepared;
 }
 
 }  // namespace
@@ -147,24 +153,23 @@ Pose expectedPose(const AcquisitionState& state, const RangeImage& image) {
   return last->view.T_object_scanner * last->view.image->T_table_scanner.inverse() * image.T_table_scanner;
 }
 
-FoundPlace findPlace(const AcquisitionState& state, KeptScan& scan, const StepOptions& options,
-                     const Progress& progress) {
+bool findPlace(const AcquisitionState& state, KeptScan& scan, const StepOptions& options, const Progress& progress) {
   scan.view.T_object_scanner = expectedPose(state, *scan.view.image);
   scan.record.registration = registerWithModel(state, scan, options, progress.part(0.0, 0.6));
   const Progress checking = progress.part(0.6, 1.0);
-  FoundPlace place;
   if (scan.record.registration.verdict == Verdict::Failed)
     explainFailure(state, scan, options, checking);
   else
-    place.prepared = checkAgainstOthers(state, scan, options, checking);
-  place.found = scan.record.registration.verdict != Verdict::Failed;
-  scan.status = place.found ? ScanStatus::In : ScanStatus::Rejected;
-  if (place.found) scan.view.T_object_scanner = scan.record.registration.T_object_scanner;
-  if (!place.found) {
-    place.prepared.clear();
+    checkAgainstOthers(state, scan, options, checking);
+  const bool found = scan.record.registration.verdict != Verdict::Failed;
+  scan.status = found ? ScanStatus::In : ScanStatus::Rejected;
+  if (found) {
+    scan.view.T_object_scanner = scan.record.registration.T_object_scanner;
+  } else {
     scan.view.mesh = nullptr;
+    scan.prepared.reset();
   }
-  return place;
+  return found;
 }
 
 }  // namespace vantage

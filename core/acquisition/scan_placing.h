@@ -1,13 +1,11 @@
 #pragma once
 
 #include <optional>
-#include <vector>
 
 #include "acquisition/acquisition_state.h"
 #include "acquisition/step_options.h"
 #include "base/progress.h"
 #include "registration/pose_prior.h"
-#include "registration/view_network.h"
 
 namespace vantage {
 
@@ -20,15 +18,10 @@ namespace vantage {
 /// @pre the pose of the scan's stand is known
 [[nodiscard]] Pose expectedPose(const AcquisitionState& state, const RangeImage& image);
 
-/// Whether a scan found its place.
-struct FoundPlace {
-  bool found = false;
-  /// The views of the model and the scan, made ready to be refined; empty where that was not needed.
-  std::vector<PreparedView> prepared;
-};
 /// Registers a scan with the model: its place, status and registration become what was found. A table that slipped is
-/// noticed, and where a person may have turned it to is searched. @throws Cancelled
-[[nodiscard]] FoundPlace findPlace(const AcquisitionState& state, KeptScan& scan, const StepOptions& options,
-                                   const Progress& progress);
+/// noticed, and where a person may have turned it to is searched.
+/// @return whether it found its place. @throws Cancelled
+[[nodiscard]] bool findPlace(const AcquisitionState& state, KeptScan& scan, const StepOptions& options,
+                             const Progress& progress);
 
 }  // namespace vantage

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "acquisition/hand_placing.h"
+#include "acquisition/prepared_scans.h"
 #include "acquisition/scan_placing.h"
 #include "base/errors.h"
 #include "geometry/measures.h"
@@ -36,10 +37,9 @@ bool waitsForMore(const RegistrationResult& registration) {
 }
 
 // The pose of a doubtful view that all others together hold as firmly as a good one is certain.
-void liftDoubt(KeptScan& scan, double poseSigma, const StepOptions& options) {
+void liftDoubt(KeptScan& scan, const ViewSurface& surface, double poseSigma, const StepOptions& options) {
   RegistrationResult& registration = scan.record.registration;
   if (!waitsForMore(registration) || isLoose(scan)) return;
-  const ViewSurface surface(*scan.view.mesh, *scan.view.image->rays);
   if (poseSigma > *resolved(options.registration, scaleOf(surface)).limits.maxPoseSigma) return;
   registration.verdict = Verdict::Good;
   registration.finding = {VerdictReason::HeldByAll, std::nullopt, {}};
@@ -47,21 +47,20 @@ void liftDoubt(KeptScan& scan, double poseSigma, const StepOptions& options) {
 }
 
 // Moves the views to where all of them and the mechanics agree best.
-// @param prepared the views, or none
-void refine(AcquisitionState& state, std::vector<PreparedView> prepared, const StepOptions& options,
-            const Progress& progress) {
+void refine(AcquisitionState& state, const StepOptions& options, const Progress& progress) {
   const std::vector<View> views = viewsOf(state);
   if (views.size() < 2) return;
+  const std::vector<PreparedView> prepared =
+      preparedViews(scansOf(state, ScanStatus::In), progress.part(0.0, 0.1, "refine"));
   MultiViewOptions refinement = options.refinement;
   refinement.ties = tiesOf(scansOf(state, ScanStatus::In), options);
-  const MultiViewResult refined = prepared.size() == views.size()
-                                      ? refinePrepared(views, prepared, refinement, progress)
-                                      : refineViews(views, refinement, progress);
+  const MultiViewResult refined = refinePrepared(views, prepared, refinement, progress.part(0.1, 1.0));
   std::size_t i = 0;
   for (KeptScan& scan : state.scans) {
     if (scan.status != ScanStatus::In) continue;
     scan.view.T_object_scanner = refined.poses[i];
-    liftDoubt(scan, refined.poseSigmas[i++], options);
+    liftDoubt(scan, prepared[i].surface, refined.poseSigmas[i], options);
+    ++i;
   }
 }
 
@@ -90,7 +89,7 @@ bool placeRejected(AcquisitionState& state, const StepOptions& options, const Pr
     if (scan.status != ScanStatus::Rejected || !turnedByGuess(*scan.view.image)) continue;
     KeptScan again = scan;
     again.view.mesh = std::make_shared<const ViewMesh>(triangulate(*scan.view.image, options.triangulation, progress));
-    if (again.view.mesh->mesh.empty() || !findPlace(state, again, options, progress).found || isLoose(again)) continue;
+    if (again.view.mesh->mesh.empty() || !findPlace(state, again, options, progress) || isLoose(again)) continue;
     scan = std::move(again);
     placed = true;
   }
@@ -100,7 +99,7 @@ bool placeRejected(AcquisitionState& state, const StepOptions& options, const Pr
 // After views found another place.
 AcquisitionState withNewModel(AcquisitionState state, const StepOptions& options, const Progress& progress) {
   const double before = area(state.model->mesh);
-  refine(state, {}, options, progress.part(0.0, 0.2));
+  refine(state, options, progress.part(0.0, 0.2));
   state.model = integrateViews(viewsOf(state), options, progress.part(0.2, 1.0));
   ScanRecord& record = state.scans.back().record;
   record.newArea = std::max(0.0, area(state.model->mesh) - before);
@@ -133,23 +132,27 @@ AcquisitionState addScan(const AcquisitionState& state, const NumberedScan& scan
     return next;
   }
   if (added.view.mesh->mesh.empty() && !state.model) refuseEmpty(added);
-  FoundPlace place = findPlace(next, added, options, registering.part(0.1, 0.7));
+  if (state.model) prepareScans(next, added, registering.part(0.1, 0.2));
+  const bool found = findPlace(next, added, options, registering.part(0.2, 0.7));
   added.record.predicted = std::move(predicted);
   next.scans.push_back(std::move(added));
-  if (!place.found) return next;
-  refine(next, std::move(place.prepared), options, registering.part(0.7, 0.9));
+  if (!found) return next;
+  refine(next, options, registering.part(0.7, 0.9));
   if (!isLoose(next.scans.back()) && settleLooseViews(next, options, registering.part(0.9, 1.0)))
     return withScansPlaced(withNewModel(std::move(next), options, progress.part(0.5, 0.9)), options,
                            progress.part(0.9, 1.0));
 
   const Progress integrating = progress.part(0.5, 1.0, name(Phase::Integrate));
   const std::vector<View> views = viewsOf(next);
+  integrating.checkpoint(0.0);
   const Model before = state.model ? reposed(*state.model, views) : Model{};
+  integrating.checkpoint(0.0);
   const Integration integration = integrateView(before, views, static_cast<std::uint32_t>(views.size() - 1),
                                                 options.zipper, integrating.part(0.0, 0.6));
   next.model = std::make_shared<const Model>(
       applyConsensus(integration.model, views, options.consensus, integrating.part(0.6, 0.9)));
   if (!state.model && next.model->mesh.triangles.empty()) refuseEmpty(next.scans.back());
+  integrating.checkpoint(0.9);
   ScanRecord& record = next.scans.back().record;
   record.newArea = std::max(0.0, area(integration.model.mesh) - area(before.mesh));
   record.overlapArea = std::max(0.0, area(views.back().mesh->mesh) - record.newArea);
@@ -187,11 +190,11 @@ AcquisitionState placeStand(const AcquisitionState& state, int stand, const Pose
     done += 1.0;
     scan.view.mesh = std::make_shared<const ViewMesh>(triangulate(*scan.view.image, options.triangulation, part));
     KeptScan placed = scan;
-    FoundPlace place = findPlace(next, placed, options, part.part(0.0, 0.3, name(Phase::Register)));
+    const bool found = findPlace(next, placed, options, part.part(0.0, 0.3, name(Phase::Register)));
     const double before = next.model ? area(next.model->mesh) : 0.0;
     scan = std::move(placed);
-    if (!place.found) continue;
-    refine(next, {}, options, part.part(0.3, 0.5, name(Phase::Register)));
+    if (!found) continue;
+    refine(next, options, part.part(0.3, 0.5, name(Phase::Register)));
     next.model = integrateViews(viewsOf(next), options, part.part(0.5, 1.0));
     scan.record.newArea = std::max(0.0, area(next.model->mesh) - before);
     scan.record.overlapArea = std::max(0.0, area(scan.view.mesh->mesh) - scan.record.newArea);

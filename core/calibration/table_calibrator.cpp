@@ -40,6 +40,21 @@ void require(std::span<const CalibrationScan> scans) {
       throw InvalidInput("scan " + std::to_string(k + 1) + " has no table angle, expected a number of degrees");
 }
 
+// The scans as they are worked on: all on the rays of the first one.
+std::vector<CalibrationScan> thinnedScans(std::span<const CalibrationScan> scans, const ThinningOptions& options) {
+  std::vector<CalibrationScan> some(scans.begin(), scans.end());
+  const int step = thinningStep(*scans.front().image, options);
+  std::shared_ptr<const RayGrid> rays;
+  for (CalibrationScan& scan : some) {
+    if (scan.image->rays->rows() != scans.front().image->rays->rows() ||
+        scan.image->rays->columns() != scans.front().image->rays->columns())
+      return {scans.begin(), scans.end()};
+    scan.image = thinned(scan.image, step, rays);
+    rays = scan.image->rays;
+  }
+  return some;
+}
+
 std::vector<double> anglesOf(std::span<const CalibrationScan> scans) {
   std::vector<double> angles;
   for (const CalibrationScan& scan : scans) angles.push_back(scan.tableAngle);
@@ -147,7 +162,8 @@ double misfitOf(const ScrewFit& fit, std::size_t scan, double gate) {
 double lowestPoint(const TurningViews& views, const ScrewMotion& motion) {
   std::vector<double> heights;
   for (const PreparedView& view : views.views())
-    for (const Vec3& p : view.points.points) heights.push_back((p - motion.point).dot(motion.direction));
+    for (std::size_t k = 0; k < view.points.size(); ++k)
+      heights.push_back((view.points.pointAt(k) - motion.point).dot(motion.direction));
   if (heights.empty()) return 0.0;
   // A few samples fly.
   const auto low = heights.begin() + static_cast<std::ptrdiff_t>(heights.size() / 200);
@@ -372,7 +388,7 @@ void Calibrator::placeTable(const ScrewMotion& motion, const TurningViews& views
 CalibrationResult calibrateTable(std::span<const CalibrationScan> scans, const ScannerProfile& profile,
                                  const CalibrationOptions& options, const Progress& progress) {
   require(scans);
-  CalibrationResult result = Calibrator(scans, profile, options).run(progress);
+  CalibrationResult result = Calibrator(thinnedScans(scans, options.thinning), profile, options).run(progress);
   progress.checkpoint(1.0);
   return result;
 }

@@ -13,6 +13,7 @@
 #include "calibration/sample_motion.h"
 #include "calibration/turn_search.h"
 #include "scanner/profile.h"
+#include "scanner/thinning.h"
 
 namespace vantage {
 
@@ -28,6 +29,7 @@ struct ScanResidual {
 };
 
 struct CalibrationOptions {
+  ThinningOptions thinning;  ///< of the scans, as an acquisition thins them
   RatioRange ratio;
   double leastTurn = radians(20.0);    ///< of the table in all [rad]
   std::size_t leastSamples = 150;      ///< that move; scans with fewer are not used
@@ -51,7 +53,7 @@ struct CalibrationResult {
 /// angles that are known as the table counts. What moves between the scans is the object; what does not is table top
 /// and background and has no say about the turn. All ratios and both senses are tried from a rough axis, the profile's
 /// or that of the table top; then axis and angles of all scans are fitted together (see fitScrew). What fails does so
-/// with a verdict and findings, not with an exception.
+/// with a verdict and findings, not with an exception. Of scanners of very many rays every n-th row and column is used.
 /// @throws InvalidInput for another number of scans, and when they are not of one scanner; Cancelled
 [[nodiscard]] CalibrationResult calibrateTable(std::span<const CalibrationScan> scans, const ScannerProfile& profile,
                                                const CalibrationOptions& options = {}, const Progress& progress = {});

@@ -60,7 +60,9 @@ Integration integrateView(const Model& model, std::span<const View> views, std::
 
   Integration result;
   ZipperStatistics& statistics = result.statistics;
-  ModelEditor editor(model);
+  Model edited = model;
+  progress.checkpoint(0.41);
+  ModelEditor editor(std::move(edited));
   progress.checkpoint(0.42);
   statistics.removedFromModel = removeRedundantTriangles(editor, projected, views, options, progress.part(0.42, 0.5));
   for (std::uint32_t v = 0; v < projected.size(); ++v)

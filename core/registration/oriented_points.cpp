@@ -1,6 +1,7 @@
 #include "registration/oriented_points.h"
 
 #include <numeric>
+#include <utility>
 
 #include "base/random.h"
 
@@ -8,6 +9,20 @@ namespace vantage {
 namespace {
 
 constexpr std::uint64_t kThinningSeed = 0x7468696eULL;
+
+template <typename Points>
+OrientedPoints chosen(const Points& points, const std::vector<std::uint32_t>& ids) {
+  OrientedPoints some;
+  some.points.reserve(ids.size());
+  some.normals.reserve(ids.size());
+  some.confidence.reserve(ids.size());
+  for (const std::uint32_t k : ids) {
+    some.points.push_back(points.pointAt(k));
+    some.normals.push_back(points.normalAt(k));
+    some.confidence.push_back(points.confidenceAt(k));
+  }
+  return some;
+}
 
 }  // namespace
 
@@ -21,15 +36,20 @@ void OrientedPoints::append(const OrientedPoints& other, const Pose& T_this_othe
   confidence.insert(confidence.end(), other.confidence.begin(), other.confidence.end());
 }
 
+OrientedVertices::OrientedVertices(const std::vector<Vec3>& positions, std::shared_ptr<const std::vector<Vec3>> normals,
+                                   const std::vector<float>& confidence, std::vector<std::uint32_t> vertices)
+    : positions_(&positions),
+      normals_(std::move(normals)),
+      confidence_(&confidence),
+      vertices_(std::make_shared<const std::vector<std::uint32_t>>(std::move(vertices))) {}
+
 OrientedPoints thinnedPoints(const OrientedPoints& points, std::size_t count) {
   if (points.size() <= count) return points;
-  OrientedPoints some;
-  for (const std::uint32_t k : thinned(allIndices(points.size()), count)) {
-    some.points.push_back(points.points[k]);
-    some.normals.push_back(points.normals[k]);
-    some.confidence.push_back(points.confidence[k]);
-  }
-  return some;
+  return chosen(points, thinned(allIndices(points.size()), count));
+}
+
+OrientedPoints thinnedPoints(const OrientedVertices& points, std::size_t count) {
+  return chosen(points, thinned(allIndices(points.size()), count));
 }
 
 std::vector<std::uint32_t> allIndices(std::size_t size) {

@@ -40,25 +40,38 @@ Pair judgePair(const Vec3& p, const Vec3& normal, float confidence, const Surfac
   return pair;
 }
 
-}  // namespace
-
-void findPairs(const OrientedPoints& points, std::span<const std::uint32_t> ids, const Pose& T_scanner_points,
-               const ViewSurface& surface, const PairGates& gates, std::span<std::optional<GridPosition>> positions,
-               const Progress& progress, std::span<Pair> pairs) {
+template <typename Points>
+void lookUp(const Points& points, std::span<const std::uint32_t> ids, const Pose& T_scanner_points,
+            const ViewSurface& surface, const PairGates& gates, std::span<std::optional<GridPosition>> positions,
+            const Progress& progress, std::span<Pair> pairs) {
   parallelChunks(ids.size(), kGrain, progress, [&](std::size_t begin, std::size_t end) {
     std::optional<GridPosition> last;
     for (std::size_t k = begin; k < end; ++k) {
       const std::uint32_t i = ids[k];
       pairs[k] = {};
-      const Vec3 normal = T_scanner_points.linear() * points.normals[i];
+      const Vec3 normal = T_scanner_points.linear() * points.normalAt(i);
       if (!positions[k]) positions[k] = last;
       if (positions[k] && normal.dot(surface.directionAt(*positions[k])) > kSurelyAway) continue;
-      const Vec3 p = T_scanner_points * points.points[i];
+      const Vec3 p = T_scanner_points * points.pointAt(i);
       const auto sample = surface.sample(p, positions[k]);
       if (positions[k]) last = positions[k];
-      if (sample) pairs[k] = judgePair(p, normal, points.confidence[i], *sample, gates);
+      if (sample) pairs[k] = judgePair(p, normal, points.confidenceAt(i), *sample, gates);
     }
   });
+}
+
+}  // namespace
+
+void findPairs(const OrientedPoints& points, std::span<const std::uint32_t> ids, const Pose& T_scanner_points,
+               const ViewSurface& surface, const PairGates& gates, std::span<std::optional<GridPosition>> positions,
+               const Progress& progress, std::span<Pair> pairs) {
+  lookUp(points, ids, T_scanner_points, surface, gates, positions, progress, pairs);
+}
+
+void findPairs(const OrientedVertices& points, std::span<const std::uint32_t> ids, const Pose& T_scanner_points,
+               const ViewSurface& surface, const PairGates& gates, std::span<std::optional<GridPosition>> positions,
+               const Progress& progress, std::span<Pair> pairs) {
+  lookUp(points, ids, T_scanner_points, surface, gates, positions, progress, pairs);
 }
 
 double medianDistance(std::span<const Pair> pairs) {

@@ -44,6 +44,9 @@ struct PairGates {
 void findPairs(const OrientedPoints& points, std::span<const std::uint32_t> ids, const Pose& T_scanner_points,
                const ViewSurface& surface, const PairGates& gates, std::span<std::optional<GridPosition>> positions,
                const Progress& progress, std::span<Pair> pairs);
+void findPairs(const OrientedVertices& points, std::span<const std::uint32_t> ids, const Pose& T_scanner_points,
+               const ViewSurface& surface, const PairGates& gates, std::span<std::optional<GridPosition>> positions,
+               const Progress& progress, std::span<Pair> pairs);
 
 /// Median of the |distances| of the believed pairs; 0 for none.
 [[nodiscard]] double medianDistance(std::span<const Pair> pairs);

@@ -29,7 +29,7 @@ std::vector<double> overlaps(std::span<const PreparedView> views, std::span<cons
 
 Vec3 centreOf(const PreparedView& view) {
   Vec3 sum = Vec3::Zero();
-  for (const Vec3& p : view.points.points) sum += p;
+  for (std::size_t k = 0; k < view.points.size(); ++k) sum += view.points.pointAt(k);
   return sum / static_cast<double>(std::max<std::size_t>(view.points.size(), 1));
 }
 

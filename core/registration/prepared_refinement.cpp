@@ -158,8 +158,8 @@ class Refiner {
     std::size_t count = 0;
     for (std::size_t i = 0; i < views_.size(); ++i) {
       Vec3 own = Vec3::Zero();
-      for (const Vec3& p : views_[i].points.points) own += p;
       const auto n = views_[i].points.size();
+      for (std::size_t k = 0; k < n; ++k) own += views_[i].points.pointAt(k);
       centres_.push_back(start_[i] * Vec3(own / static_cast<double>(std::max<std::size_t>(n, 1))));
       sum += static_cast<double>(n) * centres_.back();
       count += n;
@@ -167,7 +167,8 @@ class Refiner {
     centre_ = sum / static_cast<double>(std::max<std::size_t>(count, 1));
     double squares = 0.0;
     for (std::size_t i = 0; i < views_.size(); ++i)
-      for (const Vec3& p : views_[i].points.points) squares += (start_[i] * p - centre_).squaredNorm();
+      for (std::size_t k = 0; k < views_[i].points.size(); ++k)
+        squares += (start_[i] * views_[i].points.pointAt(k) - centre_).squaredNorm();
     radius_ = std::max(std::sqrt(squares / static_cast<double>(std::max<std::size_t>(count, 1))), 1e-6);
   }
 
@@ -316,9 +317,12 @@ class Refiner {
 
   // How far a motion about the centre of all views moves the points of one at most [mm].
   [[nodiscard]] double farthestMotion(std::size_t view, const Vec6& motion) const {
-    double farthest = views_[view].points.points.empty() ? 1.0 : 0.0;
-    for (const Vec3& p : views_[view].points.points)
-      farthest = std::max(farthest, (motion.head<3>().cross(poses_[view] * p - centre_) + motion.tail<3>()).norm());
+    const OrientedVertices& points = views_[view].points;
+    double farthest = points.size() == 0 ? 1.0 : 0.0;
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      const Vec3 p = poses_[view] * points.pointAt(k) - centre_;
+      farthest = std::max(farthest, (motion.head<3>().cross(p) + motion.tail<3>()).norm());
+    }
     return farthest;
   }
 

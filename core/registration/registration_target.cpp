@@ -27,12 +27,18 @@ std::vector<Vec3> smoothedNormals(const Mesh& mesh) {
   return normals;
 }
 
+std::vector<std::uint32_t> verticesInside(std::span<const Vec3> normals, std::span<const std::uint8_t> onBorder) {
+  std::vector<std::uint32_t> inside;
+  for (std::uint32_t v = 0; v < normals.size(); ++v)
+    // Isolated vertices have no normal.
+    if (onBorder[v] == 0 && normals[v].squaredNorm() >= 0.5) inside.push_back(v);
+  return inside;
+}
+
 OrientedPoints pointsInside(const Mesh& mesh, std::span<const Vec3> normals, std::span<const std::uint8_t> onBorder,
                             std::span<const float> confidence) {
   OrientedPoints inside;
-  for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
-    // Isolated vertices have no normal.
-    if (onBorder[v] != 0 || normals[v].squaredNorm() < 0.5) continue;
+  for (const std::uint32_t v : verticesInside(normals, onBorder)) {
     inside.points.push_back(mesh.vertices[v]);
     inside.normals.push_back(normals[v]);
     inside.confidence.push_back(confidence.empty() ? 1.0F : confidence[v]);

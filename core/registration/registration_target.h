@@ -29,6 +29,10 @@ class RegistrationTarget {
   OrientedPoints surface_;
 };
 
+/// The vertices of a mesh away from its border that have a normal, ascending; one normal and one flag per vertex.
+[[nodiscard]] std::vector<std::uint32_t> verticesInside(std::span<const Vec3> normals,
+                                                        std::span<const std::uint8_t> onBorder);
+
 /// The vertices of a mesh away from its border, with normals evened out over two rings of neighbours.
 /// @param onBorder one per vertex
 /// @param confidence one per vertex, or empty for 1 each

@@ -51,7 +51,7 @@ Agreement agreementOf(const PreparedView& from, const PreparedView& to, const Po
     if (pairs[k].state == PairState::Turned) found.turned += 1.0;
     if (pairs[k].state == PairState::Behind) found.behind += 1.0;
     if (pairs[k].state != PairState::Unseen || !positions[k]) continue;
-    const Vec3 normal = T_to_from.linear() * from.points.normals[ids[k]];
+    const Vec3 normal = T_to_from.linear() * from.points.normalAt(ids[k]);
     if (normal.dot(to.surface.directionAt(*positions[k])) > -kPlainlyFacing) continue;
     if (to.surface.isEmptyAround(*positions[k])) found.empty += 1.0;
   }

@@ -58,7 +58,7 @@ void keepSeen(const PreparedView& from, const PointIds& lookAt, const PreparedVi
 }  // namespace
 
 PreparedView::PreparedView(const View& view)
-    : surface(*view.mesh, *view.image->rays), points(thinnedPoints(surface.pointsInside(), kMostPoints)) {}
+    : image(view.image), mesh(view.mesh), surface(*mesh, *image->rays), points(surface.pointsInside(kMostPoints)) {}
 
 RegistrationScale scaleOf(std::span<const PreparedView> views) {
   std::vector<RegistrationScale> scales;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -10,11 +11,14 @@
 
 namespace vantage {
 
-/// A view as multi-view registration works with it.
+/// A view as multi-view registration works with it, wherever its pose is. Copies share what they are made of.
 struct PreparedView {
+  std::shared_ptr<const RangeImage> image;
+  std::shared_ptr<const ViewMesh> mesh;
   ViewSurface surface;
-  OrientedPoints points;  ///< inside the border, scanner coordinates
+  OrientedVertices points;  ///< inside the border, scanner coordinates
 
+  /// @pre the view has its pieces
   explicit PreparedView(const View& view);
 };
 

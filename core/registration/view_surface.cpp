@@ -67,12 +67,21 @@ double sampleNoise(const Mesh& mesh, const std::vector<Vec3>& normals, const std
 }  // namespace
 
 ViewSurface::ViewSurface(const ViewMesh& view, const RayGrid& rays)
-    : view_(&view), rays_(&rays), cells_(trianglesOfCells(view, rays)), normals_(smoothedNormals(view.mesh)) {
-  noise_ = sampleNoise(view.mesh, normals_, view.onBoundary);
+    : view_(&view),
+      rays_(&rays),
+      cells_(std::make_shared<const std::vector<std::uint8_t>>(trianglesOfCells(view, rays))),
+      normals_(std::make_shared<const std::vector<Vec3>>(smoothedNormals(view.mesh))) {
+  noise_ = sampleNoise(view.mesh, *normals_, view.onBoundary);
 }
 
-OrientedPoints ViewSurface::pointsInside() const {
-  return vantage::pointsInside(view_->mesh, normals_, view_->onBoundary, view_->confidence);
+OrientedVertices ViewSurface::pointsInside(std::size_t most) const {
+  std::vector<std::uint32_t> inside = verticesInside(*normals_, view_->onBoundary);
+  if (inside.size() > most) {
+    std::vector<std::uint32_t> some = thinned(allIndices(inside.size()), most);
+    for (std::uint32_t& k : some) k = inside[k];
+    inside = std::move(some);
+  }
+  return {view_->mesh.vertices, normals_, view_->confidence, std::move(inside)};
 }
 
 bool ViewSurface::isEmptyAround(const GridPosition& position) const {
@@ -92,7 +101,7 @@ std::optional<SurfaceSample> ViewSurface::sample(const Vec3& p, std::optional<Gr
   const int row = std::clamp(static_cast<int>(std::floor(position->row)), 0, rays_->rows() - 2);
   const int col = std::clamp(static_cast<int>(std::floor(position->column)), 0, rays_->columns() - 2);
   const std::size_t a = rays_->index(row, col);
-  const std::uint8_t cell = cells_[a];
+  const std::uint8_t cell = (*cells_)[a];
   if (cell == 0) return std::nullopt;
   const double u = position->column - col;
   const double v = position->row - row;
@@ -125,7 +134,7 @@ std::optional<SurfaceSample> ViewSurface::sample(const Vec3& p, std::optional<Gr
   for (int k = 0; k < 3; ++k) {
     const std::uint32_t vertex = view_->vertexOfSample[corners[k]];
     found.point += weights[k] * view_->mesh.vertices[vertex];
-    found.normal += weights[k] * normals_[vertex];
+    found.normal += weights[k] * (*normals_)[vertex];
     found.confidence += static_cast<float>(weights[k]) * view_->confidence[vertex];
     found.inside = found.inside && view_->onBoundary[vertex] == 0;
   }

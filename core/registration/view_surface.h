@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -20,7 +22,8 @@ struct SurfaceSample {
 };
 
 /// The surface of one view, ready to be looked up along its own rays: the partner of a point is where the point's ray
-/// meets the view's triangles. No search tree, no nearest neighbour. Immutable; queries may run on any thread.
+/// meets the view's triangles. No search tree, no nearest neighbour. Immutable; queries may run on any thread. Copies
+/// share their tables.
 class ViewSurface {
  public:
   /// Keeps referring to both. @pre `view` was triangulated from an image with these rays
@@ -39,8 +42,9 @@ class ViewSurface {
   [[nodiscard]] bool isEmptyAround(const GridPosition& position) const;
 
   [[nodiscard]] const ViewMesh& view() const { return *view_; }
-  /// The vertices away from the border, scanner coordinates.
-  [[nodiscard]] OrientedPoints pointsInside() const;
+  /// About `most` of the vertices away from the border, scanner coordinates; all when there are fewer. They refer to
+  /// what the surface refers to.
+  [[nodiscard]] OrientedVertices pointsInside(std::size_t most = std::numeric_limits<std::size_t>::max()) const;
 
   /// Standard deviation of the samples across the surface, from how they scatter about their neighbours [mm].
   [[nodiscard]] double noise() const { return noise_; }
@@ -48,8 +52,8 @@ class ViewSurface {
  private:
   const ViewMesh* view_;
   const RayGrid* rays_;
-  std::vector<std::uint8_t> cells_;  // which of its four possible triangles a grid cell has
-  std::vector<Vec3> normals_;
+  std::shared_ptr<const std::vector<std::uint8_t>> cells_;  // which of its four possible triangles a grid cell has
+  std::shared_ptr<const std::vector<Vec3>> normals_;
   double noise_ = 0.0;
 };
 

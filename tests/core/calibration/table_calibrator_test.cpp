@@ -88,6 +88,18 @@ TEST(TableCalibrator, TellsSenseAndRatio) {
   }
 }
 
+TEST(TableCalibrator, WorksOnEveryNthRowAndColumnOfManyRays) {
+  const TurningScene scene = lumpBeforeCamera();
+  const auto scans = scene.scans(kAngles);
+  const auto whole = calibrateTable(scans, *scene.profile);
+  CalibrationOptions options;
+  options.thinning.spacing = 4.0;
+  ASSERT_GT(thinningStep(*scans.front().image, options.thinning), 1);
+  const auto thinned = calibrateTable(scans, *scene.profile, options);
+  expectWithinTarget(thinned, scene, "thinned");
+  EXPECT_LT(2 * thinned.scans[0].moving, whole.scans[0].moving);
+}
+
 TEST(TableCalibrator, IsRightOverManySeedsWithATableThatErrs) {
   for (int seed = 1; seed <= 4; ++seed) {
     TurningScene scene = lumpBeforeCamera();

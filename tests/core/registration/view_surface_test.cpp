@@ -68,6 +68,19 @@ TEST(ViewSurface, PointsInsideLeaveOutTheBorder) {
   EXPECT_EQ(surface.pointsInside().size(), 19U * 19U);
 }
 
+TEST(ViewSurface, OfManyPointsInsideSomeAreTaken) {
+  const View view = tiltedPlane();
+  const ViewSurface surface(*view.mesh, *view.image->rays);
+  const OrientedVertices all = surface.pointsInside();
+  const OrientedVertices some = surface.pointsInside(100);
+  EXPECT_GT(some.size(), 60U);
+  EXPECT_LT(some.size(), 140U);
+  std::size_t k = 0;
+  for (std::size_t i = 0; i < all.size() && k < some.size(); ++i)
+    if (all.pointAt(i) == some.pointAt(k)) ++k;
+  EXPECT_EQ(k, some.size());
+}
+
 TEST(ViewSurface, EstimatesTheNoiseOfItsSamples) {
   // Noise along the ray is seen across the surface, so a little smaller than along it.
   const View view = scanFrom(makeBall(), makeProfile(0.1), 0);
