@@ -40,18 +40,6 @@ int looseRun(const AcquisitionState& state, int stand) {
   return run;
 }
 
-// A pose turned about the axis of the table.
-Pose turnedBy(double angle, const Pose& T_object_scanner, const Pose& T_object_table) {
-  return T_object_table * Eigen::AngleAxisd(angle, Vec3::UnitZ()) * T_object_table.inverse() * T_object_scanner;
-}
-
-// What the table leaves open, with its axis where it is in the object.
-PosePrior aboutTable(const PosePrior& onTable, const Pose& T_object_table) {
-  Mat6 turn = Mat6::Zero();
-  turn.topLeftCorner<3, 3>() = turn.bottomRightCorner<3, 3>() = T_object_table.linear();
-  return {turn * onTable.information * turn.transpose(), T_object_table * onTable.centre};
-}
-
 // Where to look for a scan, and how.
 struct Search {
   std::vector<Pose> poses;
@@ -116,6 +104,22 @@ std::vector<View> firmViews(const AcquisitionState& state) {
   for (const KeptScan& scan : state.scans)
     if (scan.status == ScanStatus::In && !isLoose(scan)) views.push_back(scan.view);
   return views;
+}
+
+Pose turnedBy(double angle, const Pose& T_object_scanner, const Pose& T_object_table) {
+  return T_object_table * Eigen::AngleAxisd(angle, Vec3::UnitZ()) * T_object_table.inverse() * T_object_scanner;
+}
+
+PosePrior aboutTable(const PosePrior& onTable, const Pose& T_object_table) {
+  Mat6 turn = Mat6::Zero();
+  turn.topLeftCorner<3, 3>() = turn.bottomRightCorner<3, 3>() = T_object_table.linear();
+  return {turn * onTable.information * turn.transpose(), T_object_table * onTable.centre};
+}
+
+RegistrationTarget targetOf(const AcquisitionState& state) {
+  const std::vector<View> firm = firmViews(state);
+  if (!firm.empty() && firm.size() != countScans(state, ScanStatus::In)) return RegistrationTarget(firm);
+  return RegistrationTarget(state.model->mesh, state.model->confidence);
 }
 
 RegistrationResult registerOnTurn(const AcquisitionState& state, const KeptScan& scan, const StepOptions& options,

@@ -6,6 +6,7 @@
 #include "acquisition/command_tools.h"
 #include "acquisition/hand_placing.h"
 #include "acquisition/import_scans.h"
+#include "acquisition/other_turn.h"
 #include "acquisition/step_options.h"
 #include "acquisition/steps.h"
 #include "base/errors.h"
@@ -86,6 +87,20 @@ Answer TakeBackView::mayDo(const AcquisitionState& state) const {
 
 AcquisitionState TakeBackView::carriedOut(const AcquisitionState& state, const CommandTools& tools) const {
   return tools.replanned(withStatus(state, scan, ScanStatus::In, stepOptionsFor(state), tools.firstHalf()));
+}
+
+Answer TakeAsFrom::mayDo(const AcquisitionState& state) const {
+  if (!state.profile) return Refusal{RefusalReason::NoProfile, {}};
+  const KeptScan* kept = findScan(state, scan);
+  if (kept == nullptr || !fitsTurn(state, *kept, tableDeg)) return Refusal{RefusalReason::FitsNoOtherTurn, scan};
+  return {};
+}
+
+AcquisitionState TakeAsFrom::carriedOut(const AcquisitionState& state, const CommandTools& tools) const {
+  AcquisitionState next = takeAsFrom(state, scan, tableDeg, stepOptionsFor(state), tools.firstHalf());
+  next.chosenPosition.reset();
+  next.termination = Termination::Running;
+  return tools.replanned(std::move(next));
 }
 
 Answer TakeOver::mayDo(const AcquisitionState& /*state*/) const {

@@ -2,13 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
+#include "acquisition/agreement_check.h"
 #include "acquisition/hand_placing.h"
+#include "acquisition/other_turn.h"
 #include "acquisition/steps.h"
 #include "registration/position_search.h"
 #include "registration/registration_target.h"
-#include "registration/scan_set.h"
 
 namespace vantage {
 namespace {
@@ -25,6 +27,14 @@ RegistrationResult firstRegistration(const Pose& T_object_scanner) {
   return result;
 }
 
+// The last view of a stand that was taken where its image says.
+const KeptScan* lastWhereSaid(const AcquisitionState& state, int stand) {
+  const auto last = std::find_if(state.scans.rbegin(), state.scans.rend(), [&](const KeptScan& scan) {
+    return scan.status == ScanStatus::In && scan.station().stand == stand && !takenElsewhere(scan);
+  });
+  return last == state.scans.rend() ? nullptr : &*last;
+}
+
 RegistrationResult registerWithModel(const AcquisitionState& state, const KeptScan& scan, const StepOptions& options,
                                      const Progress& progress) {
   const View& view = scan.view;
@@ -32,7 +42,8 @@ RegistrationResult registerWithModel(const AcquisitionState& state, const KeptSc
   if (turnedByGuess(*view.image)) return registerOnTurn(state, scan, options, progress);
   const RegistrationTarget target(state.model->mesh, state.model->confidence);
   IcpOptions registration = options.registration;
-  if (const KeptScan* last = lastView(state, scan.station().stand)) registration.prior = priorOf(options, *last, scan);
+  if (const KeptScan* last = lastWhereSaid(state, scan.station().stand))
+    registration.prior = priorOf(options, *last, scan);
   return registerView(*view.mesh, *view.image->rays, view.T_object_scanner, target, registration, progress);
 }
 
@@ -80,9 +91,6 @@ void placeByTable(const KeptScan& scan, const StepOptions& options, Registration
   found.finding = {VerdictReason::TableAlone, static_cast<double>(found.pairs), {}};
 }
 
-std::vector<PreparedView> checkAgainstOthers(const AcquisitionState& state, KeptScan& scan, const StepOptions& options,
-                                             const Progress& progress);
-
 // A table that slipped, or was pushed, brought the scan elsewhere: it counts there, but nothing is good about it.
 bool placeWhereSlipped(const AcquisitionState& state, KeptScan& scan, const FittingPose& fits,
                        const StepOptions& options, const Progress& progress) {
@@ -93,10 +101,16 @@ bool placeWhereSlipped(const AcquisitionState& state, KeptScan& scan, const Fitt
   there.record.registration.verdict = Verdict::Doubtful;
   there.record.registration.finding = {
       VerdictReason::TableSlipped, slipOf(scan.view.T_object_scanner, fits.registration.T_object_scanner), {}};
-  static_cast<void>(checkAgainstOthers(state, there, options, progress));
+  checkAgainstOthers(state, there, options, progress);
   if (there.record.registration.verdict == Verdict::Failed) return false;
   scan.record.registration = there.record.registration;
   return true;
+}
+
+void nameOtherTurn(const AcquisitionState& state, KeptScan& scan, const StepOptions& options,
+                   const Progress& progress) {
+  if (auto elsewhere = otherTurnOf(state, scan, options, progress))
+    scan.record.registration.finding = std::move(*elsewhere);
 }
 
 // A scan that does not fit its own position may not have been meant to, or fit another.
@@ -104,29 +118,35 @@ void explainFailure(const AcquisitionState& state, KeptScan& scan, const StepOpt
                     const Progress& progress) {
   RegistrationResult& found = scan.record.registration;
   if (plannedByTable(state, scan, options)) return placeByTable(scan, options, found);
-  const auto fits = otherPlace(state, scan, options, progress);
-  if (!fits || placeWhereSlipped(state, scan, *fits, options, progress)) return;
-  const int other = static_cast<int>(fits->candidate);
-  if (other != *scan.station().position) found.finding = {VerdictReason::OtherPosition, static_cast<double>(other), {}};
+  if (movedByItself(*scan.view.image)) {
+    const auto fits = otherPlace(state, scan, options, progress.part(0.0, 0.3));
+    if (fits && placeWhereSlipped(state, scan, *fits, options, progress.part(0.3, 0.5))) return;
+  }
+  nameOtherTurn(state, scan, options, progress.part(0.5, 1.0));
 }
 
-// A scan that fits the model may still contradict what the views have looked through, or show emptiness where they saw
-// surface. @return all views that the scan was held against and the scan, prepared; none where it is alone
-std::vector<PreparedView> checkAgainstOthers(const AcquisitionState& state, KeptScan& scan, const StepOptions& options,
-                                             const Progress& progress) {
-  const bool isDoubtful = scan.record.registration.verdict == Verdict::Doubtful;
-  // What is good fears no views of which nobody knows where they are.
-  std::vector<View> views = isDoubtful ? viewsOf(state) : firmViews(state);
-  views.push_back(scan.view);
-  views.back().T_object_scanner = scan.record.registration.T_object_scanner;
-  if (views.size() < 2) return {};
-  std::vector<PreparedView> prepared = prepareViews(views, progress.part(0.0, 0.7));
-  const auto contradiction =
-      contradictionOfLast(views, prepared, isDoubtful, options.registration, progress.part(0.7, 1.0));
-  if (!contradiction) return prepared;
-  scan.record.registration.verdict = Verdict::Failed;
-  scan.record.registration.finding = {VerdictReason::ContradictsOthers, *contradiction, {}};
-  return prepared;
+// Only looks where a scan was expected. @return with the status left to the caller
+FoundPlace placeWhereExpected(const AcquisitionState& state, KeptScan& scan, const StepOptions& options,
+                              const Progress& progress) {
+  scan.view.T_object_scanner = expectedPose(state, *scan.view.image);
+  scan.record.registration = registerWithModel(state, scan, options, progress.part(0.0, 0.7));
+  FoundPlace place;
+  if (scan.record.registration.verdict != Verdict::Failed)
+    place.prepared = checkAgainstOthers(state, scan, options, progress.part(0.7, 1.0));
+  return place;
+}
+
+// What became of the scan follows from its registration.
+FoundPlace settled(KeptScan& scan, FoundPlace place) {
+  place.found = scan.record.registration.verdict != Verdict::Failed;
+  scan.status = place.found ? ScanStatus::In : ScanStatus::Rejected;
+  if (place.found) {
+    scan.view.T_object_scanner = scan.record.registration.T_object_scanner;
+    return place;
+  }
+  place.prepared.clear();
+  scan.view.mesh = nullptr;
+  return place;
 }
 
 }  // namespace
@@ -141,7 +161,7 @@ std::optional<PosePrior> priorOf(const StepOptions& options, const KeptScan& fro
 }
 
 Pose expectedPose(const AcquisitionState& state, const RangeImage& image) {
-  const KeptScan* last = lastView(state, image.station.stand);
+  const KeptScan* last = lastWhereSaid(state, image.station.stand);
   if (last == nullptr)
     return *state.stands[static_cast<std::size_t>(image.station.stand)].T_object_table * image.T_table_scanner;
   return last->view.T_object_scanner * last->view.image->T_table_scanner.inverse() * image.T_table_scanner;
@@ -149,22 +169,21 @@ Pose expectedPose(const AcquisitionState& state, const RangeImage& image) {
 
 FoundPlace findPlace(const AcquisitionState& state, KeptScan& scan, const StepOptions& options,
                      const Progress& progress) {
-  scan.view.T_object_scanner = expectedPose(state, *scan.view.image);
-  scan.record.registration = registerWithModel(state, scan, options, progress.part(0.0, 0.6));
-  const Progress checking = progress.part(0.6, 1.0);
-  FoundPlace place;
-  if (scan.record.registration.verdict == Verdict::Failed)
-    explainFailure(state, scan, options, checking);
-  else
-    place.prepared = checkAgainstOthers(state, scan, options, checking);
-  place.found = scan.record.registration.verdict != Verdict::Failed;
-  scan.status = place.found ? ScanStatus::In : ScanStatus::Rejected;
-  if (place.found) scan.view.T_object_scanner = scan.record.registration.T_object_scanner;
-  if (!place.found) {
-    place.prepared.clear();
-    scan.view.mesh = nullptr;
+  FoundPlace place = placeWhereExpected(state, scan, options, progress.part(0.0, 0.7));
+  const RegistrationResult& registration = scan.record.registration;
+  const Progress explaining = progress.part(0.7, 1.0);
+  if (registration.verdict == Verdict::Failed) {
+    if (registration.finding.reason == VerdictReason::ContradictsOthers)
+      nameOtherTurn(state, scan, options, explaining);
+    else
+      explainFailure(state, scan, options, explaining);
   }
-  return place;
+  return settled(scan, std::move(place));
+}
+
+FoundPlace findPlaceAgain(const AcquisitionState& state, KeptScan& scan, const StepOptions& options,
+                          const Progress& progress) {
+  return settled(scan, placeWhereExpected(state, scan, options, progress));
 }
 
 }  // namespace vantage
