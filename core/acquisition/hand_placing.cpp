@@ -22,13 +22,6 @@ constexpr double kWidest = radians(180.0);
 // A pose is known when it is sure to this share of the sample spacing.
 constexpr double kKnown = 0.4;
 
-bool isUnknown(const RegistrationResult& registration, double spacing) {
-  if (registration.verdict != Verdict::Doubtful) return false;
-  const VerdictReason reason = registration.finding.reason;
-  if (reason == VerdictReason::HeldByMechanics) return registration.poseSigma > kKnown * spacing;
-  return reason != VerdictReason::FewPairs;
-}
-
 // So many views in a row, up to the last one of the stand, are loose: errors of relative turns add up over them.
 int looseRun(const AcquisitionState& state, int stand) {
   int run = 0;
@@ -92,6 +85,13 @@ RegistrationResult asLoose(RegistrationResult result, const ViewSurface& surface
 
 bool turnedByGuess(const RangeImage& image) {
   return image.poseUncertainty && isGuess(*image.poseUncertainty);
+}
+
+bool isUnknown(const RegistrationResult& registration, double spacing) {
+  if (registration.verdict != Verdict::Doubtful) return false;
+  const VerdictReason reason = registration.finding.reason;
+  if (reason == VerdictReason::HeldByMechanics) return registration.poseSigma > kKnown * spacing;
+  return reason != VerdictReason::FewPairs;
 }
 
 bool isLoose(const KeptScan& scan) {

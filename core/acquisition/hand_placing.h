@@ -14,6 +14,10 @@ namespace vantage {
 /// Whether a scan's table was turned by hand: nobody knows well how far.
 [[nodiscard]] bool turnedByGuess(const RangeImage& image);
 
+/// Whether a registration leaves open where a view is, turned by hand or not: neither surface nor mechanics hold it to
+/// a share of the sample spacing [mm].
+[[nodiscard]] bool isUnknown(const RegistrationResult& registration, double spacing);
+
 /// Whether nobody knows well where a view of the model is: it was turned by hand, and neither its surface nor that of
 /// the views whose place is known says how far. What fits such views only is as loose as they are.
 [[nodiscard]] bool isLoose(const KeptScan& scan);

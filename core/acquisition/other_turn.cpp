@@ -5,11 +5,12 @@
 #include <string>
 #include <utility>
 
-#include "acquisition/agreement_check.h"
 #include "acquisition/hand_placing.h"
 #include "base/errors.h"
 #include "registration/position_search.h"
 #include "registration/registration_target.h"
+#include "registration/scan_set.h"
+#include "registration/view_network.h"
 #include "scanner/table_turn.h"
 
 namespace vantage {
@@ -56,28 +57,43 @@ IcpOptions aboutAxis(const AcquisitionState& state, const KeptScan& scan, const 
   return registration;
 }
 
+// Whether views whose place is known speak against a place; also that a scan misses much of what they saw does.
+bool contradictsOthers(const AcquisitionState& state, const KeptScan& scan, const RegistrationResult& place,
+                       const StepOptions& options, const Progress& progress) {
+  std::vector<View> views = firmViews(state);
+  views.push_back(scan.view);
+  views.back().T_object_scanner = place.T_object_scanner;
+  return contradictionOfLast(views, prepareViews(views, progress), true, options.registration, progress).has_value();
+}
+
+// A scan that shows next to nothing of the model may well be where it was said to be.
+bool nothingAgainst(const RegistrationResult& registration, const StepOptions& options) {
+  return registration.finding.reason == VerdictReason::FewPairs &&
+         registration.conflictShare <= options.registration.limits.maxConflicts;
+}
+
 // Every place, the best first, where the scan is a good view and nothing speaks against it.
 std::vector<RegistrationResult> goodPlaces(const AcquisitionState& state, const KeptScan& scan,
                                            const std::vector<Pose>& candidates, const StepOptions& options,
                                            const Progress& progress) {
   const ViewSurface surface(*scan.view.mesh, *scan.view.image->rays);
   const RegistrationTarget target = targetOf(state);
+  const auto good = [](const std::optional<FittingPose>& fits) {
+    return fits && fits->registration.verdict == Verdict::Good;
+  };
   std::optional<FittingPose> fits;
   for (const IcpOptions& registration : {freely(options), aboutAxis(state, scan, options)}) {
     fits = poseThatFits(surface, candidates, target, registration, progress.part(0.0, 0.8), kTried);
-    if (fits && fits->registration.verdict == Verdict::Good) break;
+    if (good(fits)) break;
   }
-  if (!fits || fits->registration.verdict != Verdict::Good) return {};
+  if (!good(fits)) return {};
   std::vector<RegistrationResult> places{fits->registration};
   for (const Pose& rival : fits->rivals) {
     places.push_back(fits->registration);
     places.back().T_object_scanner = rival;
   }
   std::erase_if(places, [&](const RegistrationResult& place) {
-    KeptScan there = scan;
-    there.record.registration = place;
-    checkAgainstOthers(state, there, options, progress.part(0.8, 1.0));
-    return there.record.registration.verdict != Verdict::Good;
+    return contradictsOthers(state, scan, place, options, progress.part(0.8, 1.0));
   });
   return places;
 }
@@ -121,6 +137,7 @@ bool standsAt(const AcquisitionState& state, const KeptScan& scan, int position,
 std::optional<Finding> otherTurnOf(const AcquisitionState& state, const KeptScan& scan, const StepOptions& options,
                                    const Progress& progress) {
   if (!state.profile || !state.model || !scan.station().position) return std::nullopt;
+  if (nothingAgainst(scan.record.registration, options)) return std::nullopt;
   const auto places = goodPlaces(state, scan, allAround(state, scan), options, progress);
   if (places.empty()) return std::nullopt;
   std::vector<double> turns;

@@ -10,10 +10,11 @@
 
 namespace vantage {
 
-/// The turns of the table all around that a scan fits which does not fit where it was said to be taken: as good as a
-/// scan has to be to become a good view, and nothing against it. OtherPosition where that is a position of the
-/// workspace and no person turned the table, else OtherTurn; more than one that is as good are rivals. Nothing where it
-/// fits nowhere, or only where it was said to be.
+/// The turns of the table all around that a scan fits which does not fit where it was said to be taken: it would be a
+/// good view there, and nothing speaks against it. Not asked of a scan that shows next to nothing of the model where it
+/// was said to be, and nothing against that.
+/// OtherPosition where that is a position of the workspace and no person turned the table, else OtherTurn; more than
+/// one that is as good are rivals. Nothing where it fits nowhere, or only where it was said to be.
 /// @param scan with its mesh, at the pose where it is expected
 /// @pre there is a model, the pose of the scan's stand is known. @throws Cancelled
 [[nodiscard]] std::optional<Finding> otherTurnOf(const AcquisitionState& state, const KeptScan& scan,

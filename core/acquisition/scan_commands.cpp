@@ -10,6 +10,7 @@
 #include "acquisition/step_options.h"
 #include "acquisition/steps.h"
 #include "base/errors.h"
+#include "scanner/triangulation.h"
 
 namespace vantage {
 namespace {
@@ -29,6 +30,22 @@ void checkPosition(const AcquisitionState& state, const RangeImage& image) {
 bool changedHands(const AcquisitionState& before, const AcquisitionState& after) {
   if (!before.plan || before.scans.empty()) return false;
   return turnedByGuess(*before.scans.back().view.image) != turnedByGuess(*after.scans.back().view.image);
+}
+
+// Where the scans fit that an import refused, of those whose position was said.
+void nameOtherTurns(AcquisitionState& state, const Progress& progress) {
+  if (!state.profile || !state.model) return;
+  const StepOptions options = stepOptionsFor(state);
+  for (KeptScan& scan : state.scans) {
+    if (scan.status != ScanStatus::Rejected || !scan.station().position || scan.view.image->sampleCount() == 0)
+      continue;
+    KeptScan again = scan;
+    again.view.T_object_scanner = *state.stands.back().T_object_table * scan.view.image->T_table_scanner;
+    again.view.mesh = std::make_shared<const ViewMesh>(triangulate(*scan.view.image, options.triangulation, progress));
+    if (again.view.mesh->mesh.empty()) continue;
+    if (auto elsewhere = otherTurnOf(state, again, options, progress))
+      scan.record.registration.finding = std::move(*elsewhere);
+  }
 }
 
 }  // namespace
@@ -66,6 +83,7 @@ AcquisitionState ImportScans::carriedOut(const AcquisitionState& state, const Co
   for (const std::int64_t scan : scans) numbered.push_back({scan, tools.input().scan(scan)});
   AcquisitionState next = importScans(state, numbered, importOptionsFor(state), tools.progress());
   for (std::size_t i = 0; i < readings.size() && i < next.scans.size(); ++i) next.scans[i].record.reading = readings[i];
+  nameOtherTurns(next, tools.progress().part(1.0, 1.0));
   return next;
 }
 
@@ -99,7 +117,7 @@ Answer TakeAsFrom::mayDo(const AcquisitionState& state) const {
 AcquisitionState TakeAsFrom::carriedOut(const AcquisitionState& state, const CommandTools& tools) const {
   AcquisitionState next = takeAsFrom(state, scan, tableDeg, stepOptionsFor(state), tools.firstHalf());
   next.chosenPosition.reset();
-  next.termination = Termination::Running;
+  if (next.termination != Termination::Imported) next.termination = Termination::Running;
   return tools.replanned(std::move(next));
 }
 

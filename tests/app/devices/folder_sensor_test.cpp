@@ -218,9 +218,11 @@ TEST_F(FolderSensorTest, OfSeveralThatCameForOneTurnTheOldestIsTakenAndTheOthers
   fs::last_write_time(folder_.write("late.ply", testing::plyText(scan_, {}, false)), now);
   fs::last_write_time(folder_.write("early.ply", text_), now - std::chrono::seconds(1));
   std::string said;
-  const Progress told([&](double /*fraction*/, std::string_view step) {
-    if (step.starts_with("took")) said = step;
-  });
+  const Progress told(
+      [&](double /*fraction*/, std::string_view step) {
+        if (step.starts_with("took")) said = step;
+      },
+      {}, 1);
   // Both are to have come to rest.
   std::this_thread::sleep_for(2 * options_.rest);
   expectScan(sensor().capture(told));
