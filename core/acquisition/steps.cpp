@@ -16,13 +16,6 @@
 namespace vantage {
 namespace {
 
-constexpr double kHeldTurn = radians(0.05);
-
-// How far it was turned nobody knows of a loose view, and the noise of its pairs does not tell: it stays as it was found.
-PosePrior asFound(const KeptScan& scan) {
-  return turntablePrior({kHeldTurn, scan.view.image->poseUncertainty->positionSigma});
-}
-
 // What the mechanics know of the motions between views that follow each other in one stand. Between stands the object
 // was moved by hand.
 std::vector<PoseTie> tiesOf(const std::vector<const KeptScan*>& scans, const StepOptions& options) {
@@ -31,11 +24,6 @@ std::vector<PoseTie> tiesOf(const std::vector<const KeptScan*>& scans, const Ste
     if (scans[i - 1]->station().stand != scans[i]->station().stand) continue;
     if (scans[i]->record.registration.finding.reason == VerdictReason::TableSlipped) continue;
     if (takenElsewhere(*scans[i - 1]) || takenElsewhere(*scans[i])) continue;
-    if (isLoose(*scans[i])) {
-      ties.push_back({i - 1, i, scans[i - 1]->view.T_object_scanner.inverse() * scans[i]->view.T_object_scanner,
-                      asFound(*scans[i])});
-      continue;
-    }
     const Pose T_from_to = scans[i - 1]->view.image->T_table_scanner.inverse() * scans[i]->view.image->T_table_scanner;
     if (const auto prior = priorOf(options, *scans[i - 1], *scans[i])) ties.push_back({i - 1, i, T_from_to, *prior});
   }
