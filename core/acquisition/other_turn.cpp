@@ -66,7 +66,7 @@ bool contradictsOthers(const AcquisitionState& state, const KeptScan& scan, cons
   return contradictionOfLast(views, prepareViews(views, progress), true, options.registration, progress).has_value();
 }
 
-// A scan that shows next to nothing of the model may well be where it was said to be.
+// A scan that shows next to nothing of the model may well be where it was said to be: a person turned too far.
 bool nothingAgainst(const RegistrationResult& registration, const StepOptions& options) {
   return registration.finding.reason == VerdictReason::FewPairs &&
          registration.conflictShare <= options.registration.limits.maxConflicts;
@@ -137,7 +137,7 @@ bool standsAt(const AcquisitionState& state, const KeptScan& scan, int position,
 std::optional<Finding> otherTurnOf(const AcquisitionState& state, const KeptScan& scan, const StepOptions& options,
                                    const Progress& progress) {
   if (!state.profile || !state.model || !scan.station().position) return std::nullopt;
-  if (nothingAgainst(scan.record.registration, options)) return std::nullopt;
+  if (turnedByGuess(*scan.view.image) && nothingAgainst(scan.record.registration, options)) return std::nullopt;
   const auto places = goodPlaces(state, scan, allAround(state, scan), options, progress);
   if (places.empty()) return std::nullopt;
   std::vector<double> turns;

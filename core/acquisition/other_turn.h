@@ -11,8 +11,8 @@
 namespace vantage {
 
 /// The turns of the table all around that a scan fits which does not fit where it was said to be taken: it would be a
-/// good view there, and nothing speaks against it. Not asked of a scan that shows next to nothing of the model where it
-/// was said to be, and nothing against that.
+/// good view there, and nothing speaks against it. Not asked of a scan by hand that shows next to nothing of the model
+/// where it was said to be, and nothing against that.
 /// OtherPosition where that is a position of the workspace and no person turned the table, else OtherTurn; more than
 /// one that is as good are rivals. Nothing where it fits nowhere, or only where it was said to be.
 /// @param scan with its mesh, at the pose where it is expected

@@ -49,6 +49,8 @@ double errorOf(const KeptScan& scan, double tableOff) {
   return degrees(Eigen::AngleAxisd(off).angle());
 }
 
+constexpr double kSlip = 55.0;  // farther than a scan is looked for by itself [deg]
+
 class OtherTurnTest : public ::testing::Test {
  protected:
   void SetUp() override {
@@ -56,7 +58,8 @@ class OtherTurnTest : public ::testing::Test {
     for (const int position : {0, 1, 2, 3}) acquisition_.addScan(scanByHand(profile_, position, 0.0));
     ASSERT_EQ(countScans(*journal_.state(), ScanStatus::In), 4U);
     // Asked for position 4 the person turned the table back.
-    acquisition_.addScan(scanByHand(profile_, 4, 40.0));
+    acquisition_.addScan(scanByHand(profile_, 4, kSlip));
+    ASSERT_EQ(turnsThatFit(*journal_.state(), slipped()).size(), 1U);
   }
   [[nodiscard]] const KeptScan& slipped() const { return journal_.state()->scans[4]; }
 
@@ -65,12 +68,12 @@ class OtherTurnTest : public ::testing::Test {
   Acquisition acquisition_{journal_};
 };
 
-TEST_F(OtherTurnTest, ASlipOfFortyDegreesIsRefusedAndSaidWhereItFits) {
+TEST_F(OtherTurnTest, AScanThatFitsElsewhereIsRefusedAndSaidWhere) {
   const AcquisitionState& state = *journal_.state();
   ASSERT_EQ(slipped().status, ScanStatus::Rejected);
   const std::vector<double> turns = turnsThatFit(state, slipped());
   ASSERT_EQ(turns.size(), 1U);
-  EXPECT_NEAR(turns[0], angleOf(state, 4) + 40.0, 0.5);
+  EXPECT_NEAR(turns[0], angleOf(state, 4) + kSlip, 0.5);
   EXPECT_EQ(slipped().record.registration.finding.reason, VerdictReason::OtherTurn);
   EXPECT_TRUE(fitsTurn(state, slipped(), turns[0]));
   EXPECT_FALSE(fitsTurn(state, slipped(), turns[0] + 20.0));
@@ -82,8 +85,8 @@ TEST_F(OtherTurnTest, IsTakenAsFromThereWhenThePersonSaysSo) {
   ASSERT_EQ(slipped().status, ScanStatus::In);
   EXPECT_EQ(slipped().record.registration.verdict, Verdict::Good);
   EXPECT_EQ(slipped().record.registration.finding, (Finding{VerdictReason::TakenElsewhere, turn, {}}));
-  EXPECT_LT(errorOf(slipped(), 40.0), 0.3);
-  EXPECT_EQ(positionTaken(*journal_.state(), slipped()), 1);
+  EXPECT_LT(errorOf(slipped(), kSlip), 0.3);
+  EXPECT_EQ(positionTaken(*journal_.state(), slipped()), 0);
   EXPECT_TRUE(turnsThatFit(*journal_.state(), slipped()).empty());
   // Whoever turned it that far once turns on as asked.
   const RangeImage next = scanByHand(profile_, 5, 0.0);
@@ -118,6 +121,24 @@ TEST_F(OtherTurnTest, IsTakenFromNowhereElse) {
   EXPECT_TRUE(refused(17, turn));
   EXPECT_FALSE(refused(4, turn));
   expectError<InvalidInput>([&] { acquisition_.carryOut(TakeAsFrom{4, turn + 10.0}); }, {"scan 4"});
+}
+
+// Whether it is found or refused: it is never good where it is wrong.
+TEST(HandSlip, OfFortyDegreesIsFoundOrSaid) {
+  for (const double slip : {40.0, -40.0}) {
+    const auto profile = testing::smallProfile();
+    MemoryJournal journal(profile, {});
+    Acquisition acquisition(journal);
+    acquisition.carryOut(ChangeSettings{smallScans()});
+    for (const int position : {0, 1, 2, 3}) acquisition.addScan(scanByHand(profile, position, 0.0));
+    acquisition.addScan(scanByHand(profile, 4, slip));
+    const KeptScan& scan = journal.state()->scans[4];
+    if (scan.record.registration.verdict == Verdict::Good) {
+      EXPECT_LT(errorOf(scan, slip), 0.3) << slip;
+    }
+    for (const double turn : turnsThatFit(*journal.state(), scan))
+      EXPECT_NEAR(turn, angleOf(*journal.state(), 4) + slip, 0.5);
+  }
 }
 
 TEST(HandSession, GoesOnAsItWouldHaveWhenItIsResumed) {
