@@ -118,11 +118,14 @@ void explainFailure(const AcquisitionState& state, KeptScan& scan, const StepOpt
                     const Progress& progress) {
   RegistrationResult& found = scan.record.registration;
   if (plannedByTable(state, scan, options)) return placeByTable(scan, options, found);
-  if (movedByItself(*scan.view.image)) {
-    const auto fits = otherPlace(state, scan, options, progress.part(0.0, 0.3));
-    if (fits && placeWhereSlipped(state, scan, *fits, options, progress.part(0.3, 0.5))) return;
-  }
+  std::optional<FittingPose> fits;
+  if (!turnedByGuess(*scan.view.image)) fits = otherPlace(state, scan, options, progress.part(0.0, 0.3));
+  if (fits && placeWhereSlipped(state, scan, *fits, options, progress.part(0.3, 0.5))) return;
   nameOtherTurn(state, scan, options, progress.part(0.5, 1.0));
+  const VerdictReason reason = found.finding.reason;
+  if (!fits || reason == VerdictReason::OtherTurn || reason == VerdictReason::OtherPosition) return;
+  const int other = static_cast<int>(fits->candidate);
+  if (other != *scan.station().position) found.finding = {VerdictReason::OtherPosition, static_cast<double>(other), {}};
 }
 
 // Only looks where a scan was expected. @return with the status left to the caller
