@@ -56,6 +56,8 @@ QString refusalText(const Refusal& refusal) {
       return Text::tr("There is nothing to redo.");
     case RefusalReason::NothingToScanWith:
       return Text::tr("There is nothing to scan with: no scanner, or no object for the simulated one.");
+    case RefusalReason::FitsNoOtherTurn:
+      return Text::tr("Scan %1 was not found to fit another turn of the table.").arg(number);
     case RefusalReason::StandUnknown:
       break;
   }

@@ -62,6 +62,7 @@ class CommandContext {
 void addAcquireCommand(CLI::App& app, CommandContext& context);
 void addResumeCommand(CLI::App& app, CommandContext& context);
 void addStepCommand(CLI::App& app, CommandContext& context);
+void addTakeCommand(CLI::App& app, CommandContext& context);
 void addImportCommand(CLI::App& app, CommandContext& context);
 void addOptionsCommand(CLI::App& app, CommandContext& context);
 void addPlanCommand(CLI::App& app, CommandContext& context);

@@ -10,7 +10,7 @@ void runDevices(Session& session, const DeviceRun& with, const std::string& out,
   const SimulationSettings& simulation = session.state()->settings.simulation;
   const TableLeft table = tableLeft(session).value_or(TableLeft{});
   const bool byHand = std::holds_alternative<HandTableDevice>(with.rig.table);
-  PersonAtTable person(session.profile(), table.stand.position, with.events, context);
+  PersonAtTable person(session.profile(), table.stand, with.events, context);
   HandTable::AskPerson ask;
   if (byHand) ask = [&](int position, const Progress& progress) { person.ask(position, progress); };
   DeviceSetUp devices = RealDevices{with.rig, session.profile(), ask, with.reading, table.stand};

@@ -35,6 +35,7 @@ int run(int argc, char** argv) {
   vantage::addImportCommand(app, context);
   vantage::addPlanCommand(app, context);
   vantage::addStepCommand(app, context);
+  vantage::addTakeCommand(app, context);
   vantage::addExportCommand(app, context);
   vantage::addInfoCommand(app, context);
   vantage::addEvaluateCommand(app, context);

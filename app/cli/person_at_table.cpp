@@ -48,9 +48,13 @@ double rounded(double angle) {
 
 }  // namespace
 
-PersonAtTable::PersonAtTable(std::shared_ptr<const ScannerProfile> profile, int position, bool events,
+// Where the scanner goes round the object the table turns the other way.
+PersonAtTable::PersonAtTable(std::shared_ptr<const ScannerProfile> profile, const TableStand& stand, bool events,
                              CommandContext& context)
-    : profile_(std::move(profile)), events_(events), context_(context), position_(position) {
+    : profile_(std::move(profile)),
+      events_(events),
+      context_(context),
+      angle_(turnBetween(profile_->workspace, 0, stand.position).angle - stand.counted - stand.farther) {
   if (events) context.keepForEvents();
 }
 
@@ -69,23 +73,31 @@ Rig PersonAtTable::told(Rig rig) {
 void PersonAtTable::ask(int position, const Progress& progress) {
   if (skipped_.contains(position))
     throw PositionSkipped("position " + std::to_string(position) + " was skipped before");
-  const double to = rounded(turnBetween(profile_->workspace, 0, position).angle);
-  const double by = rounded(turnBetween(profile_->workspace, position_, position).angle);
+  const double angle = turnBetween(profile_->workspace, 0, position).angle;
+  const double to = rounded(angle);
+  const double by = rounded(std::remainder(angle - angle_, 2.0 * kPi));
   if (events_) {
     tell({{"event", "turn"}, {"position", position}, {"table_deg", to}, {"by_deg", by}});
   } else {
     context_.note("turn the table by " + number(std::abs(by), 1) + " degrees " +
                   (by < 0.0 ? "clockwise" : "counter-clockwise") + " as seen from above, to " + number(to, 1) +
                   " degrees (position " + std::to_string(position) +
-                  "), and press Enter; 'skip' for another position, 'stop' to end here");
+                  "), and press Enter; 'skip' for another position, 'stop' to end here" +
+                  (offered_.empty() ? "" : "; 'take' to take " + offered_));
   }
   const std::string said = answer(progress);
+  const std::string offered = std::exchange(offered_, {});
+  if (said == "take") throw TakenAsFrom("taking " + offered);
   if (said == "skip") {
     skipped_.insert(position);
     throw PositionSkipped("position " + std::to_string(position) + " was skipped");
   }
   if (said == "stop") throw EndedByPerson("ended here");
-  position_ = position;
+  angle_ = angle;
+}
+
+void PersonAtTable::offerTurn(std::int64_t scan, double tableDeg) {
+  offered_ = "scan " + std::to_string(scan) + " as from " + number(tableDeg, 1) + " degrees";
 }
 
 std::string PersonAtTable::answer(const Progress& progress) {
@@ -95,8 +107,12 @@ std::string PersonAtTable::answer(const Progress& progress) {
       typed_.erase(0, end + 1);
       if (!line.empty() && line.back() == '\r') line.pop_back();
       if (line.empty() || line == "done" || line == "skip" || line == "stop") return line;
-      tell({{"event", "problem"}, {"text", "the answer is not known: done, skip or stop is expected"}});
-      if (!events_) context_.note("please answer with Enter, 'skip' or 'stop'");
+      if (line == "take" && !offered_.empty()) return line;
+      const std::string ways = offered_.empty() ? "" : ", take";
+      tell({{"event", "problem"}, {"text", "the answer is not known: done, skip" + ways + " or stop is expected"}});
+      if (!events_)
+        context_.note(offered_.empty() ? "please answer with Enter, 'skip' or 'stop'"
+                                       : "please answer with Enter, 'take', 'skip' or 'stop'");
       continue;
     }
     progress.checkpoint(0.0);

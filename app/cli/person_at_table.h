@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <set>
 #include <string>
@@ -8,6 +9,7 @@
 #include "cli/command.h"
 #include "scanner/hand_table.h"
 #include "scanner/rig.h"
+#include "scanner/table_stand.h"
 
 namespace vantage {
 
@@ -23,18 +25,31 @@ class EndedByPerson : public DeviceError {
   using DeviceError::DeviceError;
 };
 
+/// The person says that the table stood where a refused scan was found to fit.
+class TakenAsFrom : public DeviceError {
+ public:
+  using DeviceError::DeviceError;
+};
+
 /// Who turns the table, asked on standard error and answering on standard input with a line: done (or nothing), skip or
-/// stop. With events standard output carries one JSON object per line instead, for a program that turns it:
+/// stop; after a scan that was refused and fits another turn of the table, also take. With events standard output
+/// carries one JSON object per line instead, for a program that turns it:
 /// {"event": "turn", "position": 7, "table_deg": 28.0, "by_deg": -12.0}.
 class PersonAtTable {
  public:
-  /// @param position at which the table stands
-  PersonAtTable(std::shared_ptr<const ScannerProfile> profile, int position, bool events, CommandContext& context);
+  /// @param stand where the table stands
+  PersonAtTable(std::shared_ptr<const ScannerProfile> profile, const TableStand& stand, bool events,
+                CommandContext& context);
 
   /// Asks to turn the table to a position, and waits for the answer. A position that was skipped is not asked for
   /// again.
-  /// @throws PositionSkipped, EndedByPerson, also when nobody answers any more; Cancelled
+  /// @throws PositionSkipped; TakenAsFrom after offerTurn; EndedByPerson, also when nobody answers any more; Cancelled
   void ask(int position, const Progress& progress);
+
+  /// Until the next answer `take` may be said as well: the scan that was refused fits at that turn [deg].
+  void offerTurn(std::int64_t scan, double tableDeg);
+  /// The table stands there [deg], as a scan has shown.
+  void standsAt(double tableDeg) { angle_ = radians(tableDeg); }
 
   /// Tells a program what goes on; nothing without events.
   void tell(const nlohmann::ordered_json& event);
@@ -48,7 +63,8 @@ class PersonAtTable {
   std::shared_ptr<const ScannerProfile> profile_;
   bool events_;
   CommandContext& context_;
-  int position_;
+  double angle_;         // of the table, from the first position [rad]
+  std::string offered_;  // what may be taken, for the person
   std::set<int> skipped_;
   std::string typed_;  // after the last whole line
 };

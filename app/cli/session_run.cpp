@@ -3,8 +3,11 @@
 #include <optional>
 #include <set>
 #include <utility>
+#include <vector>
 
 #include "acquisition/acquisition.h"
+#include "acquisition/hand_placing.h"
+#include "acquisition/other_turn.h"
 #include "base/errors.h"
 #include "cli/cache_directory.h"
 #include "cli/text.h"
@@ -15,6 +18,7 @@
 #include "report/report.h"
 #include "report/wording.h"
 #include "scanner/profile_size.h"
+#include "scanner/table_turn.h"
 #include "session/table_note.h"
 
 namespace vantage {
@@ -46,6 +50,23 @@ std::string viewLine(const AcquisitionState& state, const KeptScan& scan) {
   return line;
 }
 
+// "3 (90.0 deg)" where a table turns.
+std::string placeText(const AcquisitionState& state, const KeptScan& scan) {
+  const std::string position = positionText(scan);
+  if (!scan.station().position || !state.profile || state.profile->workspace.steps == 0) return position;
+  return position + " (" +
+         number(degrees(turnBetween(state.profile->workspace, 0, *scan.station().position).angle), 1) + " deg)";
+}
+
+// What a person who turned too far is asked for.
+std::string remedyText(const AcquisitionState& state, const KeptScan& scan) {
+  if (scan.record.registration.finding.reason != VerdictReason::FewPairs || !turnedByGuess(*scan.view.image)) return {};
+  const auto next = nextPosition(state);
+  if (!next) return "; too little of it overlaps with what is known: turn less between scans";
+  return "; too little of it overlaps with what is known: turn less, to position " + std::to_string(*next) + " (" +
+         number(degrees(turnBetween(state.profile->workspace, 0, *next).angle), 1) + " deg)";
+}
+
 // Another position than the one that comes next and those that were skipped before: the one that promises most; of no
 // plan the next. Without any the run ends here.
 void chooseInstead(Acquisition& acquisition, std::set<int>& skipped, const Progress& progress) {
@@ -75,8 +96,9 @@ std::string lastScanLine(const AcquisitionState& state) {
   const KeptScan& scan = state.scans.back();
   switch (scan.status) {
     case ScanStatus::Rejected:
-      return "scan at position " + positionText(scan) +
-             " was not integrated: registration failed: " + describe(scan.record.registration.finding);
+      return "scan at position " + placeText(state, scan) +
+             " was not integrated: registration failed: " + describe(scan.record.registration.finding) +
+             remedyText(state, scan);
     case ScanStatus::Waiting:
       return "scan at position " + positionText(scan) + " waits until it is known how the object stands";
     default:
@@ -125,7 +147,29 @@ void SessionRun::tellLast(PersonAtTable* person) {
                                {"new_area_mm2", scan.record.newArea}};
   if (scan.station().position) event["position"] = *scan.station().position;
   person->tell(event);
-  if (scan.status == ScanStatus::Rejected) person->tell({{"event", "problem"}, {"text", lastScanLine(*last_)}});
+  if (scan.status != ScanStatus::Rejected) return;
+  const std::vector<double> turns = turnsThatFit(*last_, scan);
+  if (turns.size() == 1) person->offerTurn(scan.number, turns.front());
+  person->tell({{"event", "problem"},
+                {"code", name(scan.record.registration.finding.reason)},
+                {"scan", scan.number},
+                {"fits_at_deg", turns},
+                {"text", lastScanLine(*last_)}});
+}
+
+// The scan that was refused last is taken as from where it fits.
+void SessionRun::takeLast(Acquisition& acquisition, PersonAtTable& person) {
+  const KeptScan& scan = last_->scans.back();
+  const TakeAsFrom command{scan.number, turnsThatFit(*last_, scan).front()};
+  try {
+    acquisition.carryOut(command, context_.progress());
+  } catch (const InvalidInput& e) {
+    context_.note(e.what());
+    person.tell({{"event", "problem"}, {"scan", command.scan}, {"text", e.what()}});
+    return;
+  }
+  person.standsAt(command.tableDeg);
+  tellLast(&person);
 }
 
 void SessionRun::acquireAll(const DeviceSetUp& devices, PersonAtTable* person) {
@@ -150,6 +194,9 @@ void SessionRun::acquireAll(const DeviceSetUp& devices, PersonAtTable* person) {
     } catch (const PositionSkipped& e) {
       context_.note(e.what());
       chooseInstead(acquisition, skipped, context_.progress());
+    } catch (const TakenAsFrom& e) {
+      context_.note(e.what());
+      takeLast(acquisition, *person);
     } catch (const EndedByPerson& e) {
       context_.note(e.what());
       acquisition.carryOut(Finish{Termination::EndedByOperator}, context_.progress());

@@ -3,6 +3,7 @@
 #include <memory>
 #include <string>
 
+#include "acquisition/acquisition.h"
 #include "cli/acquisition_results.h"
 #include "cli/command.h"
 #include "cli/person_at_table.h"
@@ -25,6 +26,7 @@ class SessionRun {
  private:
   void acquireAll(const DeviceSetUp& devices, PersonAtTable* person);
   void tellLast(PersonAtTable* person);
+  void takeLast(Acquisition& acquisition, PersonAtTable& person);
   void writeResults();
   void writeStopped();
   void announce();

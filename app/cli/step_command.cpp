@@ -1,6 +1,7 @@
 #include <memory>
 
 #include "acquisition/acquisition.h"
+#include "acquisition/other_turn.h"
 #include "base/errors.h"
 #include "cli/cache_directory.h"
 #include "cli/command.h"
@@ -8,6 +9,7 @@
 #include "cli/reading_arguments.h"
 #include "cli/session_run.h"
 #include "cli/settings_arguments.h"
+#include "cli/text.h"
 #include "io/recorded_scans.h"
 #include "positional_space/scanner_images_cache.h"
 #include "report/report.h"
@@ -40,9 +42,21 @@ nlohmann::ordered_json stepJson(const AcquisitionState& state) {
           {"status", name(scan.status)},
           {"views", countScans(state, ScanStatus::In)},
           {"registration", registrationJson(scan.record.registration)},
+          {"scan", scan.number},
+          {"fits_at_deg", turnsThatFit(state, scan)},
           {"next_position", nextPosition(state).value_or(-1)},
           {"state", name(state.termination)},
           {"model", modelJson(state.model ? state.model->mesh : Mesh{})}};
+}
+
+// How a scan that fits elsewhere is taken from there.
+std::string wayOn(const std::string& session, const AcquisitionState& state) {
+  const KeptScan& scan = state.scans.back();
+  std::string text;
+  for (const double turn : turnsThatFit(state, scan))
+    text += "if the table stood at " + number(turn, 1) + " degrees: vantage-cli take " + session + " --scan " +
+            std::to_string(scan.number) + " --table-deg " + number(turn, 1) + "\n";
+  return text;
 }
 
 void run(const StepArguments& args, CommandContext& context) {
@@ -62,8 +76,10 @@ void run(const StepArguments& args, CommandContext& context) {
                                 : "nothing is left to scan: " + std::string(name(after->termination));
   auto json = stepJson(*after);
   json["reading"] = readingJson(scan.reading);
-  context.result(json, readingLines({args.range}, {scan}) + lastScanLine(*after) + "\n" + then + "\n",
-                 warningsOf(*after, after->scans.size() - 1));
+  context.result(
+      json,
+      readingLines({args.range}, {scan}) + lastScanLine(*after) + "\n" + wayOn(args.session, *after) + then + "\n",
+      warningsOf(*after, after->scans.size() - 1));
 }
 
 }  // namespace

@@ -81,11 +81,21 @@ std::optional<std::string> FolderSensor::notReady() const {
 void FolderSensor::announceMove() {
   if (options_.existing) return;
   try {
+    refuseLeftOver();
     watch_.beginAnew();
     begun_ = true;
   } catch (const IoError&) {
     begun_ = false;  // capture says so, when it is still so then
   }
+}
+
+// What came beside the file that was taken is of the place that the table leaves now.
+void FolderSensor::refuseLeftOver() {
+  const std::string taken = nameOf(lastFile());
+  if (taken.empty()) return;
+  for (const WatchedFile& file : watch_.look())
+    refuse(file.path, file.path + ": came beside " + taken +
+                          ", which was taken, before the table was turned on: scan again if it is of another position");
 }
 
 void FolderSensor::standAt(const ReachedPose& pose) {
@@ -150,10 +160,13 @@ std::optional<RangeImage> FolderSensor::take(const WatchedFile& file, const Prog
     if (stampOf(file.path) != file.stamp) return std::nullopt;
     watch_.dismiss(file);
     taken_.emplace(hash, file.path);
-    const std::lock_guard lock(mutex_);
-    lastFile_ = file.path;
-    refused_.erase(file.path);
-    lastRefused_.clear();
+    {
+      const std::lock_guard lock(mutex_);
+      lastFile_ = file.path;
+      refused_.erase(file.path);
+      lastRefused_.clear();
+    }
+    progress.part(0.0, 1.0, takenText(file)).checkpoint(1.0);
     return image;
   } catch (const UnansweredQuestion& e) {
     watch_.keep(file);
@@ -179,6 +192,14 @@ std::string FolderSensor::waitingText() const {
   const std::lock_guard lock(mutex_);
   const std::string text = "waiting for a range file in " + options_.folder;
   return lastRefused_.empty() ? text : text + "; not taken: " + lastRefused_;
+}
+
+// Which file was taken, and which wait.
+std::string FolderSensor::takenText(const WatchedFile& file) {
+  std::string others;
+  for (const WatchedFile& other : watch_.look())
+    if (other.path != file.path) others += (others.empty() ? "" : ", ") + nameOf(other.path);
+  return "took " + nameOf(file.path) + (others.empty() ? "" : "; more files wait: " + others);
 }
 
 void FolderSensor::tooLate() const {

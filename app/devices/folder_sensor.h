@@ -43,8 +43,9 @@ class FolderSensor final : public RangeSensor {
   void close() noexcept override { open_ = false; }
   [[nodiscard]] std::optional<std::string> notReady() const override;
 
-  /// Waits for the next file that is finished and can be read. The step of the progress says what it waits for, and why
-  /// the last file was not taken.
+  /// Waits for the next file that is finished and can be read, of several the oldest. The step of the progress says
+  /// what it waits for, and why the last file was not taken; at last which one was, and which others wait. Those are
+  /// refused when a move is announced: they are of the place that the table leaves.
   /// @throws DeviceError when the folder goes away, none came in time, or a file needs an answer (see readScan), which
   /// is then taken when the next sensor or capture has it; Cancelled
   [[nodiscard]] RangeImage capture(const Progress& progress) override;
@@ -64,6 +65,8 @@ class FolderSensor final : public RangeSensor {
   [[nodiscard]] std::optional<RangeImage> takeOne(const Progress& progress);
   [[nodiscard]] std::optional<RangeImage> take(const WatchedFile& file, const Progress& progress);
   void refuse(const std::string& path, std::string reason);
+  void refuseLeftOver();
+  [[nodiscard]] std::string takenText(const WatchedFile& file);
   [[nodiscard]] std::string waitingText() const;
   [[noreturn]] void tooLate() const;
 

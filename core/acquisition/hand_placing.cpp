@@ -23,13 +23,6 @@ constexpr double kWidest = radians(180.0);
 // A pose is known when it is sure to this share of the sample spacing.
 constexpr double kKnown = 0.4;
 
-bool isUnknown(const RegistrationResult& registration, double spacing) {
-  if (registration.verdict != Verdict::Doubtful) return false;
-  const VerdictReason reason = registration.finding.reason;
-  if (reason == VerdictReason::HeldByMechanics) return registration.poseSigma > kKnown * spacing;
-  return reason != VerdictReason::FewPairs;
-}
-
 // So many views in a row, up to the last one of the stand, are loose: errors of relative turns add up over them.
 int looseRun(const AcquisitionState& state, int stand) {
   int run = 0;
@@ -39,18 +32,6 @@ int looseRun(const AcquisitionState& state, int stand) {
     ++run;
   }
   return run;
-}
-
-// A pose turned about the axis of the table.
-Pose turnedBy(double angle, const Pose& T_object_scanner, const Pose& T_object_table) {
-  return T_object_table * Eigen::AngleAxisd(angle, Vec3::UnitZ()) * T_object_table.inverse() * T_object_scanner;
-}
-
-// What the table leaves open, with its axis where it is in the object.
-PosePrior aboutTable(const PosePrior& onTable, const Pose& T_object_table) {
-  Mat6 turn = Mat6::Zero();
-  turn.topLeftCorner<3, 3>() = turn.bottomRightCorner<3, 3>() = T_object_table.linear();
-  return {turn * onTable.information * turn.transpose(), T_object_table * onTable.centre};
 }
 
 // Where to look for a scan, and how.
@@ -107,6 +88,13 @@ bool turnedByGuess(const RangeImage& image) {
   return image.poseUncertainty && isGuess(*image.poseUncertainty);
 }
 
+bool isUnknown(const RegistrationResult& registration, double spacing) {
+  if (registration.verdict != Verdict::Doubtful) return false;
+  const VerdictReason reason = registration.finding.reason;
+  if (reason == VerdictReason::HeldByMechanics) return registration.poseSigma > kKnown * spacing;
+  return reason != VerdictReason::FewPairs;
+}
+
 bool isLoose(const KeptScan& scan) {
   if (scan.status != ScanStatus::In || !scan.view.image || !scan.view.mesh) return false;
   return turnedByGuess(*scan.view.image) && isUnknown(scan.record.registration, scan.view.mesh->spacing);
@@ -117,6 +105,22 @@ std::vector<View> firmViews(const AcquisitionState& state) {
   for (const KeptScan& scan : state.scans)
     if (scan.status == ScanStatus::In && !isLoose(scan)) views.push_back(scan.view);
   return views;
+}
+
+Pose turnedBy(double angle, const Pose& T_object_scanner, const Pose& T_object_table) {
+  return T_object_table * Eigen::AngleAxisd(angle, Vec3::UnitZ()) * T_object_table.inverse() * T_object_scanner;
+}
+
+PosePrior aboutTable(const PosePrior& onTable, const Pose& T_object_table) {
+  Mat6 turn = Mat6::Zero();
+  turn.topLeftCorner<3, 3>() = turn.bottomRightCorner<3, 3>() = T_object_table.linear();
+  return {turn * onTable.information * turn.transpose(), T_object_table * onTable.centre};
+}
+
+RegistrationTarget targetOf(const AcquisitionState& state) {
+  const std::vector<View> firm = firmViews(state);
+  if (!firm.empty() && firm.size() != countScans(state, ScanStatus::In)) return RegistrationTarget(firm);
+  return RegistrationTarget(state.model->mesh, state.model->confidence);
 }
 
 RegistrationResult registerOnTurn(const AcquisitionState& state, const KeptScan& scan, const StepOptions& options,

@@ -6,12 +6,17 @@
 #include "acquisition/acquisition_state.h"
 #include "acquisition/step_options.h"
 #include "base/progress.h"
-#include "registration/view_surface.h"
+#include "registration/pose_prior.h"
+#include "registration/registration_target.h"
 
 namespace vantage {
 
 /// Whether a scan's table was turned by hand: nobody knows well how far.
 [[nodiscard]] bool turnedByGuess(const RangeImage& image);
+
+/// Whether a registration leaves open where a view is, turned by hand or not: neither surface nor mechanics hold it to
+/// a share of the sample spacing [mm].
+[[nodiscard]] bool isUnknown(const RegistrationResult& registration, double spacing);
 
 /// Whether nobody knows well where a view of the model is: it was turned by hand, and neither its surface nor that of
 /// the views whose place is known says how far. What fits such views only is as loose as they are.
@@ -19,6 +24,16 @@ namespace vantage {
 
 /// The views of the model whose place is known; all where the place of every one is.
 [[nodiscard]] std::vector<View> firmViews(const AcquisitionState& state);
+
+/// What a scan is registered with: the views whose place is known where that is not all of them, else the model.
+/// @pre there is a model
+[[nodiscard]] RegistrationTarget targetOf(const AcquisitionState& state);
+
+/// A pose of the scanner turned about the axis of the table [rad], counter-clockwise seen from above.
+[[nodiscard]] Pose turnedBy(double angle, const Pose& T_object_scanner, const Pose& T_object_table);
+
+/// What a table leaves open, with its axis where it is in the object.
+[[nodiscard]] PosePrior aboutTable(const PosePrior& onTable, const Pose& T_object_table);
 
 /// Registers a scan whose table a person turned, about as far as they were asked: first coarse, then fine, with the
 /// views whose place is known, else with the whole model; then it is doubtful at best.

@@ -1,16 +1,22 @@
 #include "acquisition/next_scan.h"
 
 #include <algorithm>
+#include <cmath>
+#include <functional>
 #include <numeric>
 #include <vector>
 
+#include "acquisition/hand_placing.h"
+#include "acquisition/other_turn.h"
 #include "base/random.h"
 #include "planning/choice.h"
+#include "scanner/table_turn.h"
 
 namespace vantage {
 namespace {
 
 constexpr std::size_t kMostFailures = 4;
+constexpr double kSameTilt = radians(0.001);
 // A position is tried after a failed one only when it overlaps by so much more.
 constexpr double kMoreOverlap = 1.5;
 constexpr std::uint64_t kStrategyStream = 0x73747261ULL << 24;
@@ -34,24 +40,38 @@ NextScan fromPlan(const Plan& plan, const AcquisitionState& state) {
   return ScanFrom{position, plan.scores[static_cast<std::size_t>(position)]};
 }
 
-// How often the object was scanned in its stand of now.
-std::size_t takenInStand(const AcquisitionState& state) {
+// How often the object was scanned in its stand of now. What a person was asked for between the positions of a
+// baseline, where these overlap too little, is none of them.
+std::size_t takenInStand(const AcquisitionState& state, const std::function<bool(int)>& isOfBaseline) {
   return static_cast<std::size_t>(std::count_if(state.scans.begin(), state.scans.end(), [&](const KeptScan& scan) {
-    return scan.status != ScanStatus::LeftOut && scan.station().stand == state.stand();
+    if (scan.status == ScanStatus::LeftOut || scan.station().stand != state.stand()) return false;
+    return !turnedByGuess(*scan.view.image) || !scan.station().position || isOfBaseline(*scan.station().position);
   }));
+}
+
+// The k-th of so many positions that are spread evenly.
+int spread(const AcquisitionSettings& settings, std::size_t positions, std::size_t k) {
+  const std::size_t offset = k * positions / static_cast<std::size_t>(settings.strategy.uniformViews);
+  return static_cast<int>((static_cast<std::size_t>(settings.firstView) + offset) % positions);
+}
+
+bool isSpread(const AcquisitionSettings& settings, std::size_t positions, int position) {
+  if (settings.strategy.kind != Strategy::Kind::Uniform) return true;
+  for (std::size_t k = 0; k < static_cast<std::size_t>(settings.strategy.uniformViews); ++k)
+    if (spread(settings, positions, k) == position) return true;
+  return false;
 }
 
 NextScan fromBaseline(const AcquisitionState& state) {
   const AcquisitionSettings& settings = state.settings;
   const std::size_t positions = state.profile->workspace.size();
-  const std::size_t taken = takenInStand(state);
+  const std::size_t taken = takenInStand(state, [&](int position) { return isSpread(settings, positions, position); });
   const auto limit = static_cast<std::size_t>(settings.maxViews);
   if (settings.strategy.kind == Strategy::Kind::Uniform) {
     const auto count = static_cast<std::size_t>(settings.strategy.uniformViews);
     if (taken >= std::min(count, positions)) return Ended{Termination::Finished};
     if (taken >= limit) return Ended{Termination::MaxViews};
-    const std::size_t offset = taken * positions / count;
-    return ScanFrom{static_cast<int>((static_cast<std::size_t>(settings.firstView) + offset) % positions)};
+    return ScanFrom{spread(settings, positions, taken)};
   }
   if (taken >= std::min(limit, positions)) return Ended{Termination::MaxViews};
   return ScanFrom{randomOrder(positions, settings.firstView, settings.simulation.seed)[taken]};
@@ -68,10 +88,48 @@ std::vector<const KeptScan*> failuresInARow(const AcquisitionState& state) {
   return failures;
 }
 
-// The best position by the last plan that has clearly more overlap. A baseline goes on as it would have.
+// How far a position is turned from another one, at the same tilt; nothing at another.
+std::optional<double> turned(const Workspace& workspace, int from, int to) {
+  const TableTurn turn = turnBetween(workspace, from, to);
+  return std::abs(turn.tilt) < kSameTilt ? std::optional(turn.angle) : std::nullopt;
+}
+
+// Where a scan by hand shows too little of what is known, the table is turned half as far from the nearest view.
+std::optional<int> halfWay(const AcquisitionState& state, const KeptScan& failed) {
+  if (failed.record.registration.finding.reason != VerdictReason::FewPairs || !turnedByGuess(*failed.view.image))
+    return std::nullopt;
+  const Workspace& workspace = state.profile->workspace;
+  const int to = *failed.station().position;
+  std::optional<double> least;
+  std::vector<int> taken;
+  for (const KeptScan& scan : state.scans) {
+    if (scan.station().stand != state.stand() || scan.status == ScanStatus::LeftOut) continue;
+    const auto position = positionTaken(state, scan);
+    if (!position) continue;
+    taken.push_back(*position);
+    const auto turn = scan.status == ScanStatus::In ? turned(workspace, to, *position) : std::nullopt;
+    if (turn && (!least || std::abs(*turn) < std::abs(*least))) least = turn;
+  }
+  if (!least) return std::nullopt;
+  std::optional<int> best;
+  double off = 0.25 * std::abs(*least);
+  for (int i = 0; i < static_cast<int>(workspace.size()); ++i) {
+    const auto turn = turned(workspace, to, i);
+    if (!turn || std::find(taken.begin(), taken.end(), i) != taken.end()) continue;
+    const double miss = std::abs(*turn - 0.5 * *least);
+    if (miss >= off) continue;
+    best = i;
+    off = miss;
+  }
+  return best;
+}
+
+// The best position by the last plan that has clearly more overlap; for a person a smaller turn. A baseline goes on as
+// it would have.
 NextScan afterFailures(const AcquisitionState& state, const std::vector<const KeptScan*>& failures) {
   if (failures.size() >= kMostFailures || !state.model) return Ended{Termination::RegistrationFailed};
-  if (!state.plan) return fromBaseline(state);
+  const auto nearer = halfWay(state, *failures.back());
+  if (!state.plan) return nearer ? NextScan(ScanFrom{*nearer}) : fromBaseline(state);
   const auto failed = static_cast<std::size_t>(*failures.back()->station().position);
   const double enough = kMoreOverlap * state.plan->scores[failed].overlapArea;
   const PositionScore* best = nullptr;
@@ -79,6 +137,7 @@ NextScan afterFailures(const AcquisitionState& state, const std::vector<const Ke
     const bool allowed = score.constraint == Constraint::Outscored && score.overlapArea > enough;
     if (allowed && (best == nullptr || promise(score) > promise(*best))) best = &score;
   }
+  if (best == nullptr && nearer) return ScanFrom{*nearer, state.plan->scores[static_cast<std::size_t>(*nearer)]};
   if (best == nullptr) return Ended{Termination::RegistrationFailed};
   return ScanFrom{best->position, *best};
 }

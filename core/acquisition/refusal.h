@@ -30,8 +30,9 @@ enum class RefusalReason : std::uint8_t {
   NothingToRedo,
   NothingToScanWith,  ///< the session has no devices: no scanner, or nothing that it could look at
   StandUnknown,       ///< it must be said first how the object stands
+  FitsNoOtherTurn,    ///< number: the scan, of which it is not known that it fits that turn of the table
 };
-inline constexpr RefusalReason kLastRefusalReason = RefusalReason::StandUnknown;
+inline constexpr RefusalReason kLastRefusalReason = RefusalReason::FitsNoOtherTurn;
 /// A code: "no_profile", "no_such_position", ...
 [[nodiscard]] std::string_view name(RefusalReason reason);
 

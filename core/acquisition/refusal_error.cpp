@@ -52,6 +52,10 @@ void throwRefusal(const Refusal& refusal) {
     case RefusalReason::NothingToScanWith:
       throw InvalidInput(
           "there is nothing to scan with: the session has no scanner, or no object that a simulated one could look at");
+    case RefusalReason::FitsNoOtherTurn:
+      throw InvalidInput("scan " + number +
+                         " cannot be taken as from another turn of the table: only a scan that was refused can, and "
+                         "only from a turn that it was found to fit");
     case RefusalReason::StandUnknown:
       break;
   }

@@ -6,9 +6,11 @@
 #include "acquisition/command_tools.h"
 #include "acquisition/hand_placing.h"
 #include "acquisition/import_scans.h"
+#include "acquisition/other_turn.h"
 #include "acquisition/step_options.h"
 #include "acquisition/steps.h"
 #include "base/errors.h"
+#include "scanner/triangulation.h"
 
 namespace vantage {
 namespace {
@@ -28,6 +30,22 @@ void checkPosition(const AcquisitionState& state, const RangeImage& image) {
 bool changedHands(const AcquisitionState& before, const AcquisitionState& after) {
   if (!before.plan || before.scans.empty()) return false;
   return turnedByGuess(*before.scans.back().view.image) != turnedByGuess(*after.scans.back().view.image);
+}
+
+// Where the scans fit that an import refused, of those whose position was said.
+void nameOtherTurns(AcquisitionState& state, const Progress& progress) {
+  if (!state.profile || !state.model) return;
+  const StepOptions options = stepOptionsFor(state);
+  for (KeptScan& scan : state.scans) {
+    if (scan.status != ScanStatus::Rejected || !scan.station().position || scan.view.image->sampleCount() == 0)
+      continue;
+    KeptScan again = scan;
+    again.view.T_object_scanner = *state.stands.back().T_object_table * scan.view.image->T_table_scanner;
+    again.view.mesh = std::make_shared<const ViewMesh>(triangulate(*scan.view.image, options.triangulation, progress));
+    if (again.view.mesh->mesh.empty()) continue;
+    if (auto elsewhere = otherTurnOf(state, again, options, progress))
+      scan.record.registration.finding = std::move(*elsewhere);
+  }
 }
 
 }  // namespace
@@ -65,6 +83,7 @@ AcquisitionState ImportScans::carriedOut(const AcquisitionState& state, const Co
   for (const std::int64_t scan : scans) numbered.push_back({scan, tools.input().scan(scan)});
   AcquisitionState next = importScans(state, numbered, importOptionsFor(state), tools.progress());
   for (std::size_t i = 0; i < readings.size() && i < next.scans.size(); ++i) next.scans[i].record.reading = readings[i];
+  nameOtherTurns(next, tools.progress().part(1.0, 1.0));
   return next;
 }
 
@@ -86,6 +105,20 @@ Answer TakeBackView::mayDo(const AcquisitionState& state) const {
 
 AcquisitionState TakeBackView::carriedOut(const AcquisitionState& state, const CommandTools& tools) const {
   return tools.replanned(withStatus(state, scan, ScanStatus::In, stepOptionsFor(state), tools.firstHalf()));
+}
+
+Answer TakeAsFrom::mayDo(const AcquisitionState& state) const {
+  if (!state.profile) return Refusal{RefusalReason::NoProfile, {}};
+  const KeptScan* kept = findScan(state, scan);
+  if (kept == nullptr || !fitsTurn(state, *kept, tableDeg)) return Refusal{RefusalReason::FitsNoOtherTurn, scan};
+  return {};
+}
+
+AcquisitionState TakeAsFrom::carriedOut(const AcquisitionState& state, const CommandTools& tools) const {
+  AcquisitionState next = takeAsFrom(state, scan, tableDeg, stepOptionsFor(state), tools.firstHalf());
+  next.chosenPosition.reset();
+  if (next.termination != Termination::Imported) next.termination = Termination::Running;
+  return tools.replanned(std::move(next));
 }
 
 Answer TakeOver::mayDo(const AcquisitionState& /*state*/) const {

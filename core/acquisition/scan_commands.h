@@ -70,6 +70,23 @@ struct TakeBackView {
   [[nodiscard]] AcquisitionState carriedOut(const AcquisitionState& state, const CommandTools& tools) const;
 };
 
+/// A scan that was refused is taken as from another turn of the table, one that it was found to fit: whoever turned it
+/// says that it stood there.
+struct TakeAsFrom {
+  static constexpr std::string_view kKind = "take_as_from";
+  std::int64_t scan = 0;
+  double tableDeg = 0.0;  ///< from the first position, counter-clockwise seen from above [deg]
+
+  template <typename Self, typename Field>
+  static void fields(Self& self, Field&& field) {
+    field("scan", self.scan);
+    field("table_deg", self.tableDeg);
+  }
+  [[nodiscard]] std::optional<Refusal> mayDo(const AcquisitionState& state) const;
+  /// @throws InvalidInput also when it does not fit there any more: the model has changed
+  [[nodiscard]] AcquisitionState carriedOut(const AcquisitionState& state, const CommandTools& tools) const;
+};
+
 /// Views are taken over from a session file of an earlier version, which did not record how they came about.
 struct TakeOver {
   static constexpr std::string_view kKind = "take_over";
@@ -81,6 +98,6 @@ struct TakeOver {
 };
 
 /// Commands that bring scans in, leave them out and take them back.
-using ScanCommand = std::variant<AddScan, ImportScans, LeaveOutView, TakeBackView, TakeOver>;
+using ScanCommand = std::variant<AddScan, ImportScans, LeaveOutView, TakeBackView, TakeAsFrom, TakeOver>;
 
 }  // namespace vantage

@@ -2,14 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
+#include "acquisition/agreement_check.h"
 #include "acquisition/hand_placing.h"
+#include "acquisition/other_turn.h"
 #include "acquisition/prepared_scans.h"
 #include "acquisition/steps.h"
 #include "registration/position_search.h"
 #include "registration/registration_target.h"
-#include "registration/scan_set.h"
 
 namespace vantage {
 namespace {
@@ -26,6 +28,14 @@ RegistrationResult firstRegistration(const Pose& T_object_scanner) {
   return result;
 }
 
+// The last view of a stand that was taken where its image says.
+const KeptScan* lastWhereSaid(const AcquisitionState& state, int stand) {
+  const auto last = std::find_if(state.scans.rbegin(), state.scans.rend(), [&](const KeptScan& scan) {
+    return scan.status == ScanStatus::In && scan.station().stand == stand && !takenElsewhere(scan);
+  });
+  return last == state.scans.rend() ? nullptr : &*last;
+}
+
 RegistrationResult registerWithModel(const AcquisitionState& state, const KeptScan& scan, const StepOptions& options,
                                      const Progress& progress) {
   const View& view = scan.view;
@@ -35,7 +45,8 @@ RegistrationResult registerWithModel(const AcquisitionState& state, const KeptSc
   const RegistrationTarget target(state.model->mesh, state.model->confidence);
   progress.checkpoint(0.0);
   IcpOptions registration = options.registration;
-  if (const KeptScan* last = lastView(state, scan.station().stand)) registration.prior = priorOf(options, *last, scan);
+  if (const KeptScan* last = lastWhereSaid(state, scan.station().stand))
+    registration.prior = priorOf(options, *last, scan);
   const std::vector<PreparedView> prepared = preparedViews({&scan}, progress);
   return registerView(prepared.front().surface, view.T_object_scanner, target, registration, progress);
 }
@@ -84,9 +95,6 @@ void placeByTable(const KeptScan& scan, const StepOptions& options, Registration
   found.finding = {VerdictReason::TableAlone, static_cast<double>(found.pairs), {}};
 }
 
-void checkAgainstOthers(const AcquisitionState& state, KeptScan& scan, const StepOptions& options,
-                        const Progress& progress);
-
 // A table that slipped, or was pushed, brought the scan elsewhere: it counts there, but nothing is good about it.
 bool placeWhereSlipped(const AcquisitionState& state, KeptScan& scan, const FittingPose& fits,
                        const StepOptions& options, const Progress& progress) {
@@ -103,36 +111,48 @@ bool placeWhereSlipped(const AcquisitionState& state, KeptScan& scan, const Fitt
   return true;
 }
 
+void nameOtherTurn(const AcquisitionState& state, KeptScan& scan, const StepOptions& options,
+                   const Progress& progress) {
+  if (auto elsewhere = otherTurnOf(state, scan, options, progress))
+    scan.record.registration.finding = std::move(*elsewhere);
+}
+
 // A scan that does not fit its own position may not have been meant to, or fit another.
 void explainFailure(const AcquisitionState& state, KeptScan& scan, const StepOptions& options,
                     const Progress& progress) {
   RegistrationResult& found = scan.record.registration;
   if (plannedByTable(state, scan, options)) return placeByTable(scan, options, found);
-  const auto fits = otherPlace(state, scan, options, progress);
-  if (!fits || placeWhereSlipped(state, scan, *fits, options, progress)) return;
+  std::optional<FittingPose> fits;
+  if (!turnedByGuess(*scan.view.image)) fits = otherPlace(state, scan, options, progress.part(0.0, 0.3));
+  if (fits && placeWhereSlipped(state, scan, *fits, options, progress.part(0.3, 0.5))) return;
+  nameOtherTurn(state, scan, options, progress.part(0.5, 1.0));
+  const VerdictReason reason = found.finding.reason;
+  if (!fits || reason == VerdictReason::OtherTurn || reason == VerdictReason::OtherPosition) return;
   const int other = static_cast<int>(fits->candidate);
   if (other != *scan.station().position) found.finding = {VerdictReason::OtherPosition, static_cast<double>(other), {}};
 }
 
-// A scan that fits the model may still contradict what the views have looked through, or show emptiness where they saw
-// surface.
-void checkAgainstOthers(const AcquisitionState& state, KeptScan& scan, const StepOptions& options,
+// Only looks where a scan was expected.
+void placeWhereExpected(const AcquisitionState& state, KeptScan& scan, const StepOptions& options,
                         const Progress& progress) {
-  const bool isDoubtful = scan.record.registration.verdict == Verdict::Doubtful;
-  std::vector<const KeptScan*> scans;
-  // What is good fears no views of which nobody knows where they are.
-  for (const KeptScan* other : scansOf(state, ScanStatus::In))
-    if (isDoubtful || !isLoose(*other)) scans.push_back(other);
-  if (scans.empty()) return;
-  scans.push_back(&scan);
-  std::vector<View> views;
-  for (const KeptScan* each : scans) views.push_back(each->view);
-  views.back().T_object_scanner = scan.record.registration.T_object_scanner;
-  const auto contradiction = contradictionOfLast(views, preparedViews(scans, progress.part(0.0, 0.5)), isDoubtful,
-                                                 options.registration, progress.part(0.5, 1.0));
-  if (!contradiction) return;
-  scan.record.registration.verdict = Verdict::Failed;
-  scan.record.registration.finding = {VerdictReason::ContradictsOthers, *contradiction, {}};
+  scan.view.T_object_scanner = expectedPose(state, *scan.view.image);
+  scan.record.registration = registerWithModel(state, scan, options, progress.part(0.0, 0.7));
+  if (scan.record.registration.verdict != Verdict::Failed)
+    checkAgainstOthers(state, scan, options, progress.part(0.7, 1.0));
+}
+
+// What became of the scan follows from its registration. @return whether it found its place
+bool settled(KeptScan& scan) {
+  const bool found = scan.record.registration.verdict != Verdict::Failed;
+  scan.status = found ? ScanStatus::In : ScanStatus::Rejected;
+  if (found) {
+    scan.view.T_object_scanner = scan.record.registration.T_object_scanner;
+  } else {
+    scan.view.mesh = nullptr;
+    scan.prepared.reset();
+  }
+  return found;
+}
 }
 
 }  // namespace
@@ -147,29 +167,30 @@ std::optional<PosePrior> priorOf(const StepOptions& options, const KeptScan& fro
 }
 
 Pose expectedPose(const AcquisitionState& state, const RangeImage& image) {
-  const KeptScan* last = lastView(state, image.station.stand);
+  const KeptScan* last = lastWhereSaid(state, image.station.stand);
   if (last == nullptr)
     return *state.stands[static_cast<std::size_t>(image.station.stand)].T_object_table * image.T_table_scanner;
   return last->view.T_object_scanner * last->view.image->T_table_scanner.inverse() * image.T_table_scanner;
 }
 
 bool findPlace(const AcquisitionState& state, KeptScan& scan, const StepOptions& options, const Progress& progress) {
-  scan.view.T_object_scanner = expectedPose(state, *scan.view.image);
-  scan.record.registration = registerWithModel(state, scan, options, progress.part(0.0, 0.6));
-  const Progress checking = progress.part(0.6, 1.0);
-  if (scan.record.registration.verdict == Verdict::Failed)
-    explainFailure(state, scan, options, checking);
-  else
-    checkAgainstOthers(state, scan, options, checking);
-  const bool found = scan.record.registration.verdict != Verdict::Failed;
-  scan.status = found ? ScanStatus::In : ScanStatus::Rejected;
-  if (found) {
-    scan.view.T_object_scanner = scan.record.registration.T_object_scanner;
-  } else {
-    scan.view.mesh = nullptr;
-    scan.prepared.reset();
+  placeWhereExpected(state, scan, options, progress.part(0.0, 0.7));
+  const RegistrationResult& registration = scan.record.registration;
+  const Progress explaining = progress.part(0.7, 1.0);
+  if (registration.verdict == Verdict::Failed) {
+    if (registration.finding.reason == VerdictReason::ContradictsOthers)
+      nameOtherTurn(state, scan, options, explaining);
+    else
+      explainFailure(state, scan, options, explaining);
   }
-  return found;
+  return settled(scan);
+}
+
+bool findPlaceAgain(const AcquisitionState& state, KeptScan& scan, const StepOptions& options,
+                    const Progress& progress) {
+  placeWhereExpected(state, scan, options, progress);
+  return settled(scan);
+}
 }
 
 }  // namespace vantage

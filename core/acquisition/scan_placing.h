@@ -14,14 +14,20 @@ namespace vantage {
 [[nodiscard]] std::optional<PosePrior> priorOf(const StepOptions& options, const KeptScan& from, const KeptScan& to);
 
 /// T_object_scanner of a scan as it is expected: its pose on the table, carried over from where the last view of its
-/// stand was found (the errors of past moves stay), else from how the object stands.
+/// stand was found that was taken where it was said to be (the errors of past moves stay), else from how the object
+/// stands.
 /// @pre the pose of the scan's stand is known
 [[nodiscard]] Pose expectedPose(const AcquisitionState& state, const RangeImage& image);
 
 /// Registers a scan with the model: its place, status and registration become what was found. A table that slipped is
-/// noticed, and where a person may have turned it to is searched.
+/// noticed, and where a person may have turned it to is searched. Of one that does not fit where it was said to be
+/// taken the finding tells where it does (see otherTurnOf).
 /// @return whether it found its place. @throws Cancelled
 [[nodiscard]] bool findPlace(const AcquisitionState& state, KeptScan& scan, const StepOptions& options,
                              const Progress& progress);
+
+/// The same for a scan that found no place before: where it may fit else is not asked again. @throws Cancelled
+[[nodiscard]] bool findPlaceAgain(const AcquisitionState& state, KeptScan& scan, const StepOptions& options,
+                                  const Progress& progress);
 
 }  // namespace vantage

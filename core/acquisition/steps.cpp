@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "acquisition/hand_placing.h"
+#include "acquisition/other_turn.h"
 #include "acquisition/prepared_scans.h"
 #include "acquisition/scan_placing.h"
 #include "base/errors.h"
@@ -23,6 +24,7 @@ std::vector<PoseTie> tiesOf(const std::vector<const KeptScan*>& scans, const Ste
   for (std::size_t i = 1; i < scans.size(); ++i) {
     if (scans[i - 1]->station().stand != scans[i]->station().stand) continue;
     if (scans[i]->record.registration.finding.reason == VerdictReason::TableSlipped) continue;
+    if (takenElsewhere(*scans[i - 1]) || takenElsewhere(*scans[i])) continue;
     const Pose T_from_to = scans[i - 1]->view.image->T_table_scanner.inverse() * scans[i]->view.image->T_table_scanner;
     if (const auto prior = priorOf(options, *scans[i - 1], *scans[i])) ties.push_back({i - 1, i, T_from_to, *prior});
   }
@@ -81,7 +83,7 @@ void checkStation(const AcquisitionState& state, const KeptScan& scan) {
                      "in the right unit?");
 }
 
-// Looks again, with the view that came last, for the place of the scans that a person turned and that found none.
+// Looks again, with the views that came meanwhile, for the place of the scans that a person turned and that found none.
 // @return whether one did
 bool placeRejected(AcquisitionState& state, const StepOptions& options, const Progress& progress) {
   bool placed = false;
@@ -89,30 +91,32 @@ bool placeRejected(AcquisitionState& state, const StepOptions& options, const Pr
     if (scan.status != ScanStatus::Rejected || !turnedByGuess(*scan.view.image)) continue;
     KeptScan again = scan;
     again.view.mesh = std::make_shared<const ViewMesh>(triangulate(*scan.view.image, options.triangulation, progress));
-    if (again.view.mesh->mesh.empty() || !findPlace(state, again, options, progress) || isLoose(again)) continue;
+    if (again.view.mesh->mesh.empty() || !findPlaceAgain(state, again, options, progress) || isLoose(again)) continue;
     scan = std::move(again);
     placed = true;
   }
   return placed;
 }
 
-// After views found another place.
-AcquisitionState withNewModel(AcquisitionState state, const StepOptions& options, const Progress& progress) {
+// After views found another place: what one of them brought counts from the model before.
+AcquisitionState withNewModel(AcquisitionState state, std::size_t added, const StepOptions& options,
+                              const Progress& progress) {
   const double before = area(state.model->mesh);
   refine(state, options, progress.part(0.0, 0.2));
   state.model = integrateViews(viewsOf(state), options, progress.part(0.2, 1.0));
-  ScanRecord& record = state.scans.back().record;
+  ScanRecord& record = state.scans[added].record;
   record.newArea = std::max(0.0, area(state.model->mesh) - before);
-  record.overlapArea = std::max(0.0, area(state.scans.back().view.mesh->mesh) - record.newArea);
+  record.overlapArea = std::max(0.0, area(state.scans[added].view.mesh->mesh) - record.newArea);
   return state;
 }
 
-// With what a view that came last tells of scans that a person turned before.
-AcquisitionState withScansPlaced(AcquisitionState state, const StepOptions& options, const Progress& progress) {
-  const KeptScan& last = state.scans.back();
-  if (isLoose(last) || !turnedByGuess(*last.view.image)) return state;
-  if (!placeRejected(state, options, progress.part(0.0, 0.5))) return state;
-  return withNewModel(std::move(state), options, progress.part(0.5, 1.0));
+// With what a view that was added tells of scans that a person turned, and what those tell of further ones.
+AcquisitionState withScansPlaced(AcquisitionState state, std::size_t added, const StepOptions& options,
+                                 const Progress& progress) {
+  if (isLoose(state.scans[added]) || !turnedByGuess(*state.scans[added].view.image)) return state;
+  while (placeRejected(state, options, progress.part(0.0, 0.5)))
+    state = withNewModel(std::move(state), added, options, progress.part(0.5, 1.0));
+  return state;
 }
 
 }  // namespace
@@ -138,8 +142,9 @@ AcquisitionState addScan(const AcquisitionState& state, const NumberedScan& scan
   next.scans.push_back(std::move(added));
   if (!found) return next;
   refine(next, options, registering.part(0.7, 0.9));
+  const std::size_t last = next.scans.size() - 1;
   if (!isLoose(next.scans.back()) && settleLooseViews(next, options, registering.part(0.9, 1.0)))
-    return withScansPlaced(withNewModel(std::move(next), options, progress.part(0.5, 0.9)), options,
+    return withScansPlaced(withNewModel(std::move(next), last, options, progress.part(0.5, 0.9)), last, options,
                            progress.part(0.9, 1.0));
 
   const Progress integrating = progress.part(0.5, 1.0, name(Phase::Integrate));
@@ -156,7 +161,7 @@ AcquisitionState addScan(const AcquisitionState& state, const NumberedScan& scan
   ScanRecord& record = next.scans.back().record;
   record.newArea = std::max(0.0, area(integration.model.mesh) - area(before.mesh));
   record.overlapArea = std::max(0.0, area(views.back().mesh->mesh) - record.newArea);
-  return withScansPlaced(std::move(next), options, integrating.part(0.9, 1.0));
+  return withScansPlaced(std::move(next), last, options, integrating.part(0.9, 1.0));
 }
 
 std::shared_ptr<const Model> integrateViews(const std::vector<View>& views, const StepOptions& options,
@@ -173,6 +178,21 @@ AcquisitionState withStatus(const AcquisitionState& state, std::int64_t scan, Sc
     if (kept.number == scan) kept.status = status;
   next.model = integrateViews(viewsOf(next), options, progress);
   return next;
+}
+
+AcquisitionState takeAsFrom(const AcquisitionState& state, std::int64_t scan, double tableDeg,
+                            const StepOptions& options, const Progress& progress) {
+  AcquisitionState next = state;
+  const auto taken =
+      std::find_if(next.scans.begin(), next.scans.end(), [&](const KeptScan& k) { return k.number == scan; });
+  KeptScan placed = *taken;
+  placed.view.mesh =
+      std::make_shared<const ViewMesh>(triangulate(*placed.view.image, options.triangulation, progress.part(0.0, 0.1)));
+  placeAtTurn(state, placed, tableDeg, options, progress.part(0.1, 0.4));
+  *taken = std::move(placed);
+  const auto added = static_cast<std::size_t>(taken - next.scans.begin());
+  next = withNewModel(std::move(next), added, options, progress.part(0.4, 0.8));
+  return withScansPlaced(std::move(next), added, options, progress.part(0.8, 1.0));
 }
 
 AcquisitionState placeStand(const AcquisitionState& state, int stand, const Pose& T_object_table,
@@ -218,8 +238,8 @@ PlanInput planInputOf(const AcquisitionState& state) {
   if (const auto& T_object_table = state.stands.back().T_object_table) input.T_object_table = *T_object_table;
   for (const KeptScan* scan : scansOf(state, ScanStatus::In))
     if (scan->station().stand == state.stand() && scan->station().position)
-      input.taken.push_back(*scan->station().position);
-  if (const KeptScan* last = lastView(state, state.stand())) input.current = last->station().position;
+      input.taken.push_back(*positionTaken(state, *scan));
+  if (const KeptScan* last = lastView(state, state.stand())) input.current = positionTaken(state, *last);
   // Whoever made the last move makes the next one.
   if (!state.scans.empty()) input.mechanics = state.scans.back().view.image->poseUncertainty;
   return input;

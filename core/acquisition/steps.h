@@ -26,6 +26,11 @@ namespace vantage {
 [[nodiscard]] AcquisitionState withStatus(const AcquisitionState& state, std::int64_t scan, ScanStatus status,
                                           const StepOptions& options, const Progress& progress);
 
+/// The state with a refused scan as a view from another turn of the table, one that it was found to fit, and the model
+/// made anew. @pre fitsTurn. @throws InvalidInput when it fits there no more; Cancelled
+[[nodiscard]] AcquisitionState takeAsFrom(const AcquisitionState& state, std::int64_t scan, double tableDeg,
+                                          const StepOptions& options, const Progress& progress);
+
 /// The state after it became known how the object stands in a stand: its scans that were waiting are registered in
 /// their order, the model is made anew with each that found its place. @throws Cancelled
 [[nodiscard]] AcquisitionState placeStand(const AcquisitionState& state, int stand, const Pose& T_object_table,

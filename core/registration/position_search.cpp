@@ -14,8 +14,6 @@ namespace {
 constexpr std::size_t kAsked = 3000;
 // Where fewer of them should be seen nothing is known.
 constexpr double kLeastExpected = 0.04 * static_cast<double>(kAsked);
-// So many of the best candidates are registered.
-constexpr std::size_t kRegistered = 4;
 // What the prior holds is known to so many times what makes a pose sure.
 constexpr double kHeld = 4.0;
 // Candidates turned by less from where a view was found would find the same again [rad].
@@ -70,7 +68,7 @@ std::size_t nearest(std::span<const Pose> candidates, const Pose& found, const V
 
 std::optional<FittingPose> poseThatFits(const ViewSurface& surface, std::span<const Pose> candidates,
                                         const RegistrationTarget& model, const IcpOptions& options,
-                                        const Progress& progress) {
+                                        const Progress& progress, std::size_t tried) {
   const RegistrationScale scale = scaleOf(surface);
   const IcpOptions icp = resolved(options, scale);
   const PairGates gates{std::max(looseShift(scale), fineGate(scale)), *icp.hiddenDepth, icp.coarseAngle};
@@ -86,20 +84,22 @@ std::optional<FittingPose> poseThatFits(const ViewSurface& surface, std::span<co
   std::optional<FittingPose> fits;
   std::size_t registered = 0;
   for (const std::size_t i : best) {
-    if (registered == kRegistered) break;
+    if (registered == tried) break;
     // Those around it found it already: the rivals are elsewhere.
     if (fits && distanceBetween(candidates[i], fits->registration.T_object_scanner, centre) < near) continue;
     ++registered;
     const RegistrationResult result = registerView(surface, candidates[i], model, options, progress.part(0.5, 1.0));
     if (!isPlace(result, icp)) continue;
     if (!fits) {
-      fits = {nearest(candidates, result.T_object_scanner, centre), result, 0.0};
+      fits = {nearest(candidates, result.T_object_scanner, centre), result, 0.0, {}};
       continue;
     }
     // A good place fears good ones only.
     if (fits->registration.verdict == Verdict::Good && result.verdict != Verdict::Good) continue;
     const double distance = distanceBetween(fits->registration.T_object_scanner, result.T_object_scanner, centre);
-    if (distance > gates.distance) fits->rivalDistance = std::max(fits->rivalDistance, distance);
+    if (distance <= gates.distance) continue;
+    fits->rivalDistance = std::max(fits->rivalDistance, distance);
+    fits->rivals.push_back(result.T_object_scanner);
   }
   return fits;
 }

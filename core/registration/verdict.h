@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string_view>
+#include <vector>
 
 #include "registration/motion_information.h"
 
@@ -73,17 +74,20 @@ enum class VerdictReason : std::uint8_t {
   TableAlone,         ///< it shows next to nothing of the model: it is where the table has it [points that overlap]
   HeldByAll,          ///< too little of the model held it, all scans together do
   TableSlipped,       ///< it fits where the table would have turned by so much more than it says [deg, ccw from above]
+  OtherTurn,          ///< it fits where the table stands at that angle, not where it was said to [deg, ccw from above]
+  TakenElsewhere,     ///< the operator took it as from that angle of the table, where it fits [deg, ccw from above]
 };
-inline constexpr VerdictReason kLastVerdictReason = VerdictReason::TableSlipped;
+inline constexpr VerdictReason kLastVerdictReason = VerdictReason::TakenElsewhere;
 
-/// "not_registered", "first_view", ..., "table_slipped".
+/// "not_registered", "first_view", ..., "taken_elsewhere".
 [[nodiscard]] std::string_view name(VerdictReason reason);
 
 /// The gravest thing that was found about a registration.
 struct Finding {
   VerdictReason reason = VerdictReason::NotRegistered;
-  std::optional<double> value;  ///< what was measured, in the unit of the reason; none where there is no measure
-  WeakMotions motions;          ///< those that the surface lets go of; only with HeldByMechanics
+  std::optional<double> value;      ///< what was measured, in the unit of the reason; none where there is no measure
+  WeakMotions motions;              ///< those that the surface lets go of; only with HeldByMechanics
+  std::vector<double> rivals = {};  ///< further values that are as good as the first; only with OtherTurn
 
   friend bool operator==(const Finding&, const Finding&) = default;
 };

@@ -19,6 +19,14 @@ Phrase turnsPhrase(double factor) {
   return words("it fits if every turn is %1 times what the list says", {figure(factor, 2)});
 }
 
+// "131.0 degrees", and what is as good.
+Phrase anglesPhrase(const Finding& finding) {
+  Phrase phrase = words("%1 degrees", {figure(finding.value.value_or(0.0), 1)});
+  for (const double rival : finding.rivals)
+    phrase = words("%1, and as well at %2 degrees", {std::move(phrase), figure(rival, 1)});
+  return phrase;
+}
+
 // One overload for each kind of command.
 Phrase phraseFor(const ChangeSettings& /*command*/) {
   return words("Set-up changed");
@@ -38,6 +46,9 @@ Phrase phraseFor(const LeaveOutView& command) {
 }
 Phrase phraseFor(const TakeBackView& command) {
   return words("Scan %1 taken back", {asIs(std::to_string(command.scan))});
+}
+Phrase phraseFor(const TakeAsFrom& command) {
+  return words("Scan %1 taken as from %2 degrees", {asIs(std::to_string(command.scan)), figure(command.tableDeg, 1)});
 }
 Phrase phraseFor(const Finish& command) {
   return command.termination == Termination::Running
@@ -118,6 +129,11 @@ Phrase phraseOf(const Finding& finding) {
     case VerdictReason::TableSlipped:
       return words("it fits %1 degrees away from where the table says it is: did the table slip, or was it pushed?",
                    {figure(std::abs(value), 1)});
+    case VerdictReason::OtherTurn:
+      return words("it does not fit where it was said to be taken; it fits where the table stands at %1",
+                   {anglesPhrase(finding)});
+    case VerdictReason::TakenElsewhere:
+      return words("it was taken as from %1 degrees of the table, where it fits", {figure(value, 1)});
     case VerdictReason::OtherTurns:
       return turnsPhrase(value);
     case VerdictReason::InverseList:

@@ -10,11 +10,15 @@ namespace vantage {
 namespace {
 
 // As it would be without a calibration, which may have the scanner's axes anywhere.
+Eigen::Matrix3d rotationOf(const Workspace& workspace, const Pose& T_table_scanner) {
+  return T_table_scanner.linear() * workspace.T_table_scanner0.linear().transpose();
+}
+
 Eigen::Matrix3d rotationAt(const Workspace& workspace, int position) {
   if (position < 0 || position >= static_cast<int>(workspace.size()))
     throw InvalidInput("there is no position " + std::to_string(position) + ", the workspace has " +
                        std::to_string(workspace.size()));
-  return workspace.poses[static_cast<std::size_t>(position)].linear() * workspace.T_table_scanner0.linear().transpose();
+  return rotationOf(workspace, workspace.poses[static_cast<std::size_t>(position)]);
 }
 
 // A tilt turns about the scanner's y axis, so that axis tells the turn alone; the place of the scanner tells it only
@@ -29,14 +33,22 @@ double tilt(const Eigen::Matrix3d& rotation) {
   return std::asin(std::clamp(rotation(2, 0), -1.0, 1.0));
 }
 
+// From one rotation to another, the shorter way.
+double angleBetween(const Eigen::Matrix3d& from, const Eigen::Matrix3d& to) {
+  const double angle = std::remainder(turnOf(from) - turnOf(to), 2.0 * kPi);
+  return angle <= -kPi + 1e-12 ? kPi : angle;
+}
+
 }  // namespace
 
 TableTurn turnBetween(const Workspace& workspace, int from, int to) {
   const Eigen::Matrix3d a = rotationAt(workspace, from);
   const Eigen::Matrix3d b = rotationAt(workspace, to);
-  double angle = std::remainder(turnOf(a) - turnOf(b), 2.0 * kPi);
-  if (angle <= -kPi + 1e-12) angle = kPi;
-  return {angle, tilt(b) - tilt(a)};
+  return {angleBetween(a, b), tilt(b) - tilt(a)};
+}
+
+double tableAngle(const Workspace& workspace, const Pose& T_table_scanner) {
+  return angleBetween(rotationAt(workspace, 0), rotationOf(workspace, T_table_scanner));
 }
 
 Vec3 scannerPlace(const ScannerProfile& profile, const Pose& T_object_scanner) {

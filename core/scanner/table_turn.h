@@ -15,6 +15,10 @@ struct TableTurn {
 /// @throws InvalidInput when the workspace has no such position.
 [[nodiscard]] TableTurn turnBetween(const Workspace& workspace, int from, int to);
 
+/// How far the table is turned from the first position when the scanner is there, counter-clockwise seen from above, in
+/// (-pi, pi] [rad]. @throws InvalidInput for a workspace without positions
+[[nodiscard]] double tableAngle(const Workspace& workspace, const Pose& T_table_scanner);
+
 /// Where the scanner is: the middle of its light sources, in object coordinates [mm].
 [[nodiscard]] Vec3 scannerPlace(const ScannerProfile& profile, const Pose& T_object_scanner);
 

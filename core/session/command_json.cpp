@@ -73,6 +73,7 @@ class FieldReader {
     number = fields_.integer(key, 0, std::numeric_limits<std::int64_t>::max());
   }
   void operator()(const char* key, int& number) { number = fields_.integer(key); }
+  void operator()(const char* key, double& number) { number = fields_.number(key); }
   void operator()(const char* key, std::vector<ScanReading>& readings) {
     if (fields_.has(key)) readings = readingsFrom(fields_.list(key), fields_.what());
   }

@@ -17,6 +17,7 @@ Json findingJson(const Finding& finding) {
   Json json{{"code", name(finding.reason)}};
   if (finding.value) json["value"] = jsonNumber(*finding.value);
   if (!finding.motions.empty()) json["weak_motions"] = motionsJson(finding.motions);
+  for (const double rival : finding.rivals) json["rivals"].push_back(jsonNumber(rival));
   return json;
 }
 
@@ -25,6 +26,12 @@ Finding findingFrom(const JsonFields& fields) {
   finding.reason = fields.named("code", kLastVerdictReason);
   if (fields.has("value")) finding.value = fields.number("value");
   if (fields.has("weak_motions")) finding.motions = motionsFrom(fields);
+  if (fields.has("rivals")) {
+    for (const Json& rival : fields.list("rivals")) {
+      if (!rival.is_number()) fields.fail("rivals");
+      finding.rivals.push_back(rival.get<double>());
+    }
+  }
   return finding;
 }
 

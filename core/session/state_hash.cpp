@@ -17,6 +17,7 @@ void addFinding(ContentHash& hash, const Finding& finding) {
   hash.add(finding.value.has_value());
   hash.add(finding.value.value_or(0.0));
   addMotions(hash, finding.motions);
+  if (!finding.rivals.empty()) hash.add(finding.rivals);
 }
 
 void addScore(ContentHash& hash, const PositionScore& score) {

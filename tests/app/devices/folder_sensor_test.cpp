@@ -212,6 +212,31 @@ TEST_F(FolderSensorTest, TakesOfSeveralTheOldest) {
   }
 }
 
+TEST_F(FolderSensorTest, OfSeveralThatCameForOneTurnTheOldestIsTakenAndTheOthersAreNamed) {
+  sensor().announceMove();
+  const auto now = fs::file_time_type::clock::now();
+  fs::last_write_time(folder_.write("late.ply", testing::plyText(scan_, {}, false)), now);
+  fs::last_write_time(folder_.write("early.ply", text_), now - std::chrono::seconds(1));
+  std::string said;
+  const Progress told(
+      [&](double /*fraction*/, std::string_view step) {
+        if (step.starts_with("took")) said = step;
+      },
+      {}, 1);
+  // Both are to have come to rest.
+  std::this_thread::sleep_for(2 * options_.rest);
+  expectScan(sensor().capture(told));
+  EXPECT_EQ(said, "took early.ply; more files wait: late.ply");
+  EXPECT_TRUE(sensor().refused().empty());
+  sensor().announceMove();
+  ASSERT_EQ(sensor().refused().size(), 1U);
+  EXPECT_NE(sensor().refused()[0].reason.find("late.ply: came beside early.ply"), std::string::npos);
+  const auto waiting = capture();
+  EXPECT_FALSE(waiting->isOver(kLater));
+  static_cast<void>(folder_.write("next.ply", text_ + " "));
+  expectTaken(*waiting, "next.ply");
+}
+
 TEST_F(FolderSensorTest, AsksForAUnitAndTakesTheFileWhenItIsSaid) {
   Writing metres;
   metres.unit = 0.001;

@@ -15,6 +15,7 @@ TEST(Command, KindsAreCalledWhatFilesCallThem) {
   EXPECT_EQ(kindOf(ChoosePosition{}), "choose_position");
   EXPECT_EQ(kindOf(LeaveOutView{}), "leave_out");
   EXPECT_EQ(kindOf(TakeBackView{}), "take_back");
+  EXPECT_EQ(kindOf(TakeAsFrom{}), "take_as_from");
   EXPECT_EQ(kindOf(Finish{}), "finish");
   EXPECT_EQ(kindOf(TakeOver{}), "take_over");
   EXPECT_EQ(kindOf(TurnObject{}), "turn_object");

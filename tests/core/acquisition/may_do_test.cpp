@@ -109,6 +109,33 @@ TEST(NextScan, ABaselineTakesItsPositionsInOrder) {
   EXPECT_EQ(terminationOf(nextScan(state)), Termination::MaxViews);
 }
 
+// Scans by hand that overlap too little.
+AcquisitionState turnedTooFar(const std::vector<std::pair<ScanStatus, int>>& scans) {
+  AcquisitionState state = stateWith(scans);
+  state.settings.strategy = parseStrategy("uniform:6");
+  for (KeptScan& scan : state.scans) {
+    RangeImage image = *scan.view.image;
+    image.poseKnownBy = PoseSource::ByHand;
+    image.poseUncertainty = Mechanics{radians(7.5), 3.0};
+    scan.view.image = std::make_shared<const RangeImage>(std::move(image));
+    scan.record.registration.finding.reason = VerdictReason::FewPairs;
+  }
+  return state;
+}
+
+TEST(NextScan, APersonWhoTurnedTooFarIsAskedForHalfTheTurn) {
+  const auto in = ScanStatus::In;
+  const auto out = ScanStatus::Rejected;
+  EXPECT_EQ(nextPosition(turnedTooFar({{in, 0}, {out, 4}})), 2);
+  EXPECT_EQ(nextPosition(turnedTooFar({{in, 0}, {out, 4}, {out, 2}})), 1);
+  EXPECT_EQ(nextPosition(turnedTooFar({{in, 0}, {out, 20}})), 22);
+  // What was in between is none of the six.
+  EXPECT_EQ(nextPosition(turnedTooFar({{in, 0}, {in, 4}, {in, 2}})), 8);
+  AcquisitionState contradicts = turnedTooFar({{in, 0}, {out, 4}});
+  contradicts.scans[1].record.registration.finding.reason = VerdictReason::Conflicts;
+  EXPECT_EQ(nextPosition(contradicts), 8);
+}
+
 TEST(NextScan, FourFailuresInARowEndIt) {
   std::vector<std::pair<ScanStatus, int>> scans{{ScanStatus::In, 0}};
   for (int i = 1; i <= 4; ++i) {

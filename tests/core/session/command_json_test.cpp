@@ -31,6 +31,7 @@ std::vector<Command> someCommands() {
           ChoosePosition{},
           LeaveOutView{1},
           TakeBackView{2},
+          TakeAsFrom{2, 131.5},
           Finish{Termination::EndedByOperator},
           TakeOver{},
           TurnObject{pose},
@@ -50,7 +51,7 @@ TEST(CommandJson, EveryKindOfCommandComesBackToTheLastBit) {
   }
   EXPECT_EQ(kinds.size(), std::variant_size_v<Command>) << "a kind of command is missing above";
   EXPECT_FALSE(std::get<ChoosePosition>(commandFromText("choose_position", R"({"position": -1})", "step 1")).position);
-  const Command read = commandFromText("turn_object", commandText(someCommands()[9]), "step 1");
+  const Command read = commandFromText("turn_object", commandText(someCommands()[10]), "step 1");
   EXPECT_EQ(std::get<TurnObject>(read).T_object_table->translation().y(), -2.0 / 3.0);
 }
 
