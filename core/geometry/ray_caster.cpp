@@ -10,10 +10,8 @@
 #include <cstddef>
 #include <new>
 #include <string>
-#include <vector>
 
 #include "base/errors.h"
-#include "base/parallel.h"
 
 namespace vantage {
 namespace {
@@ -49,9 +47,6 @@ class FlushDenormals {
 
   unsigned saved_ = mode();
 };
-
-// Meshes of more triangles are put into two trees, which two threads build at once.
-constexpr std::size_t kOneTree = 1'500'000;
 
 struct Release {
   void operator()(RTCDevice device) const { rtcReleaseDevice(device); }
@@ -116,17 +111,9 @@ Vec3 closestWeights(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) 
 }  // namespace
 
 struct RayCaster::Scene {
-  // Triangles of the mesh, all or those of one side.
-  struct Tree {
-    Device device;
-    EmbreeScene scene;
-    std::vector<std::uint32_t> triangles;  // by the tree's own numbers; empty for all
-
-    [[nodiscard]] std::uint32_t triangle(std::uint32_t own) const { return triangles.empty() ? own : triangles[own]; }
-  };
-
   Mesh mesh;
-  std::vector<Tree> trees;
+  Device device;
+  EmbreeScene scene;
 
   Scene(const Mesh& source, Precision precision, const Progress& progress) : mesh(source) {
     progress.checkpoint(0.0);
@@ -134,11 +121,17 @@ struct RayCaster::Scene {
       throw InvalidInput("mesh of " + std::to_string(mesh.triangles.size()) +
                          " triangles is too large to trace rays in");
     validate(mesh);
-    setPositions();
-    trees.resize(mesh.triangles.size() > kOneTree ? 2 : 1);
-    if (trees.size() > 1) shareTriangles();
-    parallelChunks(trees.size(), 1, progress.part(0.1, 0.1),
-                   [&](std::size_t i, std::size_t) { build(trees[i], precision, progress); });
+    // One build thread: the tree, and with it what a ray that grazes an edge meets, must not depend on the machine.
+    device.reset(rtcNewDevice("threads=1,set_affinity=0"));
+    scene.reset(rtcNewScene(device.get()));
+    if (precision == Precision::Robust) rtcSetSceneFlags(scene.get(), RTC_SCENE_FLAG_ROBUST);
+    if (!mesh.triangles.empty()) attachTriangles();
+    progress.checkpoint(0.1);
+    Monitor monitor{&progress, false};
+    rtcSetSceneProgressMonitorFunction(scene.get(), &Monitor::goOn, &monitor);
+    rtcCommitScene(scene.get());
+    rtcSetSceneProgressMonitorFunction(scene.get(), nullptr, nullptr);
+    if (monitor.stopped) throw Cancelled();
   }
 
   // How far Embree's single precision may move a point that is as far out as p [mm].
@@ -163,63 +156,23 @@ struct RayCaster::Scene {
     }
   };
 
-  void setPositions() {
-    positions_.resize(3 * mesh.vertices.size() + kPadding);
+  void attachTriangles() {
+    const Geometry geometry(rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_TRIANGLE));
+    auto* positions = static_cast<float*>(rtcSetNewGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_VERTEX, 0,
+                                                                  RTC_FORMAT_FLOAT3, 12, mesh.vertices.size()));
+    auto* indices = static_cast<unsigned*>(
+        rtcSetNewGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 12, mesh.triangles.size()));
+    if (positions == nullptr || indices == nullptr) throw std::bad_alloc();
     for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
-      setPoint(positions_[3 * i], positions_[3 * i + 1], positions_[3 * i + 2], mesh.vertices[i]);
+      setPoint(positions[3 * i], positions[3 * i + 1], positions[3 * i + 2], mesh.vertices[i]);
       largestCoordinate_ = std::max(largestCoordinate_, mesh.vertices[i].cwiseAbs().maxCoeff());
     }
-  }
-
-  // Halves the triangles across the longest side of the mesh.
-  void shareTriangles() {
-    Eigen::AlignedBox3d box;
-    for (const Vec3& v : mesh.vertices) box.extend(v);
-    Eigen::Index axis = 0;
-    box.sizes().maxCoeff(&axis);
-    std::vector<double> along;
-    along.reserve(mesh.vertices.size());
-    for (const Vec3& v : mesh.vertices) along.push_back(v[axis]);
-    const auto middle = along.begin() + static_cast<std::ptrdiff_t>(along.size() / 2);
-    std::nth_element(along.begin(), middle, along.end());
-    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
-      trees[mesh.vertices[mesh.triangles[t][0]][axis] < *middle ? 0 : 1].triangles.push_back(t);
-  }
-
-  void build(Tree& tree, Precision precision, const Progress& progress) const {
-    // One build thread: the tree, and with it what a ray that grazes an edge meets, must not depend on the machine.
-    tree.device.reset(rtcNewDevice("threads=1,set_affinity=0"));
-    tree.scene.reset(rtcNewScene(tree.device.get()));
-    if (precision == Precision::Robust) rtcSetSceneFlags(tree.scene.get(), RTC_SCENE_FLAG_ROBUST);
-    if (!mesh.triangles.empty()) attachTriangles(tree);
-    progress.checkpoint(0.1);
-    Monitor monitor{&progress, false};
-    rtcSetSceneProgressMonitorFunction(tree.scene.get(), &Monitor::goOn, &monitor);
-    rtcCommitScene(tree.scene.get());
-    rtcSetSceneProgressMonitorFunction(tree.scene.get(), nullptr, nullptr);
-    if (monitor.stopped) throw Cancelled();
-  }
-
-  void attachTriangles(Tree& tree) const {
-    const std::size_t count = trees.size() > 1 ? tree.triangles.size() : mesh.triangles.size();
-    const Geometry geometry(rtcNewGeometry(tree.device.get(), RTC_GEOMETRY_TYPE_TRIANGLE));
-    rtcSetSharedGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, positions_.data(), 0, 12,
-                               mesh.vertices.size());
-    auto* indices = static_cast<unsigned*>(
-        rtcSetNewGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 12, count));
-    if (indices == nullptr) throw std::bad_alloc();
-    for (std::uint32_t i = 0; i < count; ++i) {
-      const Triangle& triangle = mesh.triangles[tree.triangle(i)];
-      std::copy(triangle.begin(), triangle.end(), indices + 3 * i);
-    }
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
+      std::copy(mesh.triangles[i].begin(), mesh.triangles[i].end(), indices + 3 * i);
     rtcCommitGeometry(geometry.get());
-    rtcAttachGeometry(tree.scene.get(), geometry.get());
+    rtcAttachGeometry(scene.get(), geometry.get());
   }
 
-  // Embree reads 16 bytes of the last vertex.
-  static constexpr std::size_t kPadding = 1;
-
-  std::vector<float> positions_;
   double largestCoordinate_ = 0.0;
 };
 
@@ -233,16 +186,14 @@ std::optional<RayHit> RayCaster::intersect(const Vec3& origin, const Vec3& direc
   const FlushDenormals mode;
   RTCRayHit query{};
   query.ray = makeRay(origin, direction, near, far);
+  query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
-  RayHit hit;
-  for (const Scene::Tree& tree : scene_->trees) {
-    query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-    rtcIntersect1(tree.scene.get(), &context, &query);
-    if (query.hit.geomID != RTC_INVALID_GEOMETRY_ID) hit.triangle = tree.triangle(query.hit.primID);
-  }
-  if (hit.triangle == kNoIndex) return std::nullopt;
+  rtcIntersect1(scene_->scene.get(), &context, &query);
+  if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
 
+  RayHit hit;
+  hit.triangle = query.hit.primID;
   hit.normal = triangleNormal(scene_->mesh, scene_->mesh.triangles[hit.triangle]);
   // The plane in double precision is better than the single precision distance, unless the ray runs along it.
   const double slope = direction.dot(hit.normal);
@@ -261,53 +212,45 @@ bool RayCaster::occluded(const Vec3& from, const Vec3& to, double margin) const 
   RTCRay ray = makeRay(from, offset / length, margin, length - margin);
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
-  return std::any_of(scene_->trees.begin(), scene_->trees.end(), [&](const Scene::Tree& tree) {
-    rtcOccluded1(tree.scene.get(), &context, &ray);
-    return ray.tfar < 0.0F;
-  });
+  rtcOccluded1(scene_->scene.get(), &context, &ray);
+  return ray.tfar < 0.0F;
 }
 
 void RayCaster::occluded(std::span<OcclusionRay> rays) const {
   const FlushDenormals mode;
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
-  for (const Scene::Tree& tree : scene_->trees)
-    rtcOccluded1M(tree.scene.get(), &context, reinterpret_cast<RTCRay*>(rays.data()),
-                  static_cast<unsigned>(rays.size()), sizeof(OcclusionRay));
+  rtcOccluded1M(scene_->scene.get(), &context, reinterpret_cast<RTCRay*>(rays.data()),
+                static_cast<unsigned>(rays.size()), sizeof(OcclusionRay));
 }
 
 std::optional<SurfacePoint> RayCaster::closestPoint(const Vec3& p, double radius) const {
   struct Search {
     const Mesh* mesh;
-    const Scene::Tree* tree;
     Vec3 p;
     double rounding;
     SurfacePoint best;
-  } search{&scene_->mesh, nullptr, p, scene_->rounding(p), {}};
+  } search{&scene_->mesh, p, scene_->rounding(p), {}};
   search.best.distance = radius;
 
   auto visit = [](RTCPointQueryFunctionArguments* args) {
     auto& s = *static_cast<Search*>(args->userPtr);
-    const std::uint32_t triangle = s.tree->triangle(args->primID);
-    const Triangle& t = s.mesh->triangles[triangle];
+    const Triangle& t = s.mesh->triangles[args->primID];
     const Vec3 &a = s.mesh->vertices[t[0]], &b = s.mesh->vertices[t[1]], &c = s.mesh->vertices[t[2]];
     const Vec3 weights = closestWeights(s.p, a, b, c);
     const Vec3 point = weights[0] * a + weights[1] * b + weights[2] * c;
     const double distance = (point - s.p).norm();
-    if (!(distance < s.best.distance || (distance == s.best.distance && triangle < s.best.triangle))) return false;
-    s.best = {point, distance, triangle, weights};
+    if (!(distance < s.best.distance || (distance == s.best.distance && args->primID < s.best.triangle))) return false;
+    s.best = {point, distance, args->primID, weights};
     args->query->radius = static_cast<float>(distance * (1.0 + 1e-6) + s.rounding);
     return true;
   };
-  for (const Scene::Tree& tree : scene_->trees) {
-    search.tree = &tree;
-    RTCPointQuery query{};
-    setPoint(query.x, query.y, query.z, p);
-    query.radius = static_cast<float>(search.best.distance * (1.0 + 1e-6) + search.rounding);
-    RTCPointQueryContext context;
-    rtcInitPointQueryContext(&context);
-    rtcPointQuery(tree.scene.get(), &query, &context, visit, &search);
-  }
+  RTCPointQuery query{};
+  setPoint(query.x, query.y, query.z, p);
+  query.radius = static_cast<float>(radius * (1.0 + 1e-6) + search.rounding);
+  RTCPointQueryContext context;
+  rtcInitPointQueryContext(&context);
+  rtcPointQuery(scene_->scene.get(), &query, &context, visit, &search);
   if (search.best.triangle == kNoIndex) return std::nullopt;
   return search.best;
 }

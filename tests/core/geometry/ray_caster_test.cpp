@@ -195,48 +195,6 @@ TEST(RayCaster, TheLowestTriangleWinsATie) {
   }
 }
 
-// A mesh that is put into two trees.
-TEST(RayCaster, AMeshOfMillionsOfTrianglesIsOneSurface) {
-  constexpr int kSide = 900;
-  constexpr double kStep = 0.1;
-  const auto height = [](double x, double y) { return std::sin(x / 9.0) * std::cos(y / 7.0); };
-  Mesh mesh;
-  for (int i = 0; i <= kSide; ++i)
-    for (int j = 0; j <= kSide; ++j) mesh.vertices.emplace_back(i * kStep, j * kStep, height(i * kStep, j * kStep));
-  for (std::uint32_t i = 0; i < kSide; ++i)
-    for (std::uint32_t j = 0; j < kSide; ++j) {
-      const std::uint32_t v = i * (kSide + 1) + j;
-      mesh.triangles.push_back({v, v + kSide + 1, v + 1});
-      mesh.triangles.push_back({v + 1, v + kSide + 1, v + kSide + 2});
-    }
-  const RayCaster one(mesh, RayCaster::Precision::Fast, Progress());
-  const RayCaster two(mesh, RayCaster::Precision::Fast, Progress({}, {}, 2));
-  Random random(5);
-  for (int k = 0; k < 2000; ++k) {
-    const Vec3 from(85.0 * random.uniform() + 2.0, 85.0 * random.uniform() + 2.0, 5.0);
-    const auto hit = one.intersect(from, -Vec3::UnitZ());
-    ASSERT_TRUE(hit);
-    EXPECT_NEAR(hit->distance, 5.0 - height(from.x(), from.y()), 1e-3);
-    const auto again = two.intersect(from, -Vec3::UnitZ());
-    ASSERT_TRUE(again);
-    EXPECT_EQ(again->triangle, hit->triangle);
-    EXPECT_EQ(again->distance, hit->distance);
-    const Vec3 p = from - hit->distance * Vec3::UnitZ();
-    const auto nearest = one.closestPoint(p, 1.0);
-    ASSERT_TRUE(nearest);
-    EXPECT_LT(nearest->distance, 1e-9);
-    EXPECT_TRUE(one.occluded(from, Vec3(from.x(), from.y(), -5.0)));
-    EXPECT_FALSE(one.occluded(from, p, 0.01));
-    std::vector<OcclusionRay> rays(2);
-    for (OcclusionRay& ray : rays)
-      ray = {static_cast<float>(from.x()), static_cast<float>(from.y()), 5.0F, 0.0F, 0.0F, 0.0F, -1.0F, 0.0F, 10.0F};
-    rays[1].far = static_cast<float>(hit->distance - 0.01);
-    one.occluded(rays);
-    EXPECT_TRUE(rays[0].blocked());
-    EXPECT_FALSE(rays[1].blocked());
-  }
-}
-
 TEST(RayCaster, AnEmptyMeshIsNeverHit) {
   const RayCaster caster{Mesh{}};
   EXPECT_FALSE(caster.intersect(Vec3(0, 0, 0), Vec3(0, 0, 1)));
