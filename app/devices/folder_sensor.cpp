@@ -158,15 +158,14 @@ std::optional<RangeImage> FolderSensor::take(const WatchedFile& file, const Prog
                                 progress.part(0.0, 1.0, "reading " + nameOf(file.path)), pose_);
     // What was written to meanwhile is looked at again when it has come to rest.
     if (stampOf(file.path) != file.stamp) return std::nullopt;
+    // The last moment at which a stop leaves it for the next scan.
+    progress.part(0.0, 1.0, takenText(file)).checkpoint(1.0);
     watch_.dismiss(file);
     taken_.emplace(hash, file.path);
-    {
-      const std::lock_guard lock(mutex_);
-      lastFile_ = file.path;
-      refused_.erase(file.path);
-      lastRefused_.clear();
-    }
-    progress.part(0.0, 1.0, takenText(file)).checkpoint(1.0);
+    const std::lock_guard lock(mutex_);
+    lastFile_ = file.path;
+    refused_.erase(file.path);
+    lastRefused_.clear();
     return image;
   } catch (const UnansweredQuestion& e) {
     watch_.keep(file);
@@ -197,8 +196,12 @@ std::string FolderSensor::waitingText() const {
 // Which file was taken, and which wait.
 std::string FolderSensor::takenText(const WatchedFile& file) {
   std::string others;
-  for (const WatchedFile& other : watch_.look())
-    if (other.path != file.path) others += (others.empty() ? "" : ", ") + nameOf(other.path);
+  try {
+    for (const WatchedFile& other : watch_.look())
+      if (other.path != file.path) others += (others.empty() ? "" : ", ") + nameOf(other.path);
+  } catch (const IoError&) {
+    // The folder went away behind the file: that is said when the next one is waited for.
+  }
   return "took " + nameOf(file.path) + (others.empty() ? "" : "; more files wait: " + others);
 }
 

@@ -153,7 +153,6 @@ bool settled(KeptScan& scan) {
   }
   return found;
 }
-}
 
 }  // namespace
 
@@ -190,7 +189,6 @@ bool findPlaceAgain(const AcquisitionState& state, KeptScan& scan, const StepOpt
                     const Progress& progress) {
   placeWhereExpected(state, scan, options, progress);
   return settled(scan);
-}
 }
 
 }  // namespace vantage

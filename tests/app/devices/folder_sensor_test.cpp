@@ -2,6 +2,8 @@
 
 #include <filesystem>
 #include <fstream>
+#include <stop_token>
+#include <thread>
 
 #include "app/devices/waiting.h"
 #include "core/io/expect_error.h"
@@ -235,6 +237,21 @@ TEST_F(FolderSensorTest, OfSeveralThatCameForOneTurnTheOldestIsTakenAndTheOthers
   EXPECT_FALSE(waiting->isOver(kLater));
   static_cast<void>(folder_.write("next.ply", text_ + " "));
   expectTaken(*waiting, "next.ply");
+}
+
+TEST_F(FolderSensorTest, AStopWhileAFileIsTakenLeavesItForTheNextScan) {
+  sensor().announceMove();
+  static_cast<void>(folder_.write("scan.ply", text_));
+  std::this_thread::sleep_for(2 * options_.rest);
+  std::stop_source stop;
+  const Progress stopped(
+      [&](double fraction, std::string_view step) {
+        if (step.starts_with("reading") && fraction >= 1.0) stop.request_stop();
+      },
+      stop.get_token(), 1);
+  EXPECT_THROW(static_cast<void>(sensor().capture(stopped)), Cancelled);
+  ASSERT_TRUE(stop.stop_requested());
+  expectScan(sensor().capture({}));
 }
 
 TEST_F(FolderSensorTest, AsksForAUnitAndTakesTheFileWhenItIsSaid) {
