@@ -27,7 +27,7 @@ std::size_t raysSaidBy(const ProfileSource& source) {
 MemoryNeeded memoryFor(std::size_t rays, const ThinningOptions& thinning) {
   MemoryNeeded needed;
   needed.worked = rays;
-  if (!thinning.spacing && rays > kUsefulRays) {
+  if (!thinning.spacing && rays > kWholeRays) {
     const double step = std::ceil(std::sqrt(static_cast<double>(rays) / static_cast<double>(kUsefulRays)));
     needed.worked = static_cast<std::size_t>(static_cast<double>(rays) / (step * step));
   }

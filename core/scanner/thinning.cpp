@@ -80,6 +80,7 @@ int thinningStep(const RangeImage& image, const ThinningOptions& options) {
   const RayGrid& rays = *image.rays;
   int step = 1;
   if (!options.spacing) {
+    if (rays.size() <= kWholeRays) return 1;
     while (step < mostStep(rays) && raysLeft(rays, step) > kUsefulRays) ++step;
     return step;
   }

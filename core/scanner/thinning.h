@@ -11,18 +11,20 @@ namespace vantage {
 /// How many of a scanner's samples are worked on. What is left out stays in the scan as it was taken.
 struct ThinningOptions {
   /// Samples nearer to each other than this are thinned [mm]; 0: none are. Unset: those of a scanner with more than
-  /// kUsefulRays rays.
+  /// kWholeRays rays.
   std::optional<double> spacing;
   bool operator==(const ThinningOptions&) const = default;
 };
 
-/// A scan is worked on with no more rays than this unless a spacing is given: what registration, model and plan gain
-/// from more of them is less than the noise of most scanners, and time and memory grow with their number.
-inline constexpr std::size_t kUsefulRays = 1'500'000;
+/// Of a scanner with more rays than this not all are worked on unless a spacing is given: what registration, model and
+/// plan gain from more of them is less than the noise of most scanners, and time and memory grow with their number.
+inline constexpr std::size_t kWholeRays = 1'500'000;
+/// As many at most are worked on then.
+inline constexpr std::size_t kUsefulRays = 600'000;
 
 /// Every n-th row and column of a grid is worked on, n >= 1: the largest step that leaves neighbours no farther apart
-/// than the spacing, at the middle of what the image shows; without a spacing the smallest that leaves no more than
-/// kUsefulRays rays. At least 2 x 2 rays are left.
+/// than the spacing, at the middle of what the image shows; without a spacing, of a grid of
+/// more than kWholeRays rays, the smallest that leaves no more than kUsefulRays. At least 2 x 2 rays are left.
 /// @pre the image has rays, and a distance for each
 [[nodiscard]] int thinningStep(const RangeImage& image, const ThinningOptions& options);
 

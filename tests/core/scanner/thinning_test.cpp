@@ -70,11 +70,11 @@ TEST(Thinning, OfAScannerWithUsefullyManyRaysNothingIsLeftOut) {
   EXPECT_EQ(thinningStep(*wall(camera(300, 400)), {}), 1);
 }
 
-TEST(Thinning, AFiveMegapixelHeadIsWorkedOnWithEverySecondRay) {
+TEST(Thinning, AFiveMegapixelHeadIsWorkedOnWithEveryThirdRowAndColumn) {
   RangeImage image;
   image.rays = camera(2048, 2448);
   image.range.assign(image.rays->size(), kNoSample);
-  EXPECT_EQ(thinningStep(image, {}), 2);
+  EXPECT_EQ(thinningStep(image, {}), 3);
   EXPECT_EQ(thinningStep(image, {0.0}), 1);
 }
 
