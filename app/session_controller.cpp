@@ -8,6 +8,7 @@
 #include "io/mesh_writer.h"
 #include "io/output_file.h"
 #include "report/loss_wording.h"
+#include "report/memory_note.h"
 #include "session/table_note.h"
 #include "session_start.h"
 #include "wording.h"
@@ -63,6 +64,7 @@ void SessionController::changeSetUp(const SharedSetUp& setUp) {
 void SessionController::setChoice(const SetUpChoice& choice) {
   if (hasSession() || choice == choice_) return;
   choice_ = choice;
+  memoryNote_.clear();
   changeSetUp({});
 }
 
@@ -93,14 +95,30 @@ void SessionController::useCalibration(const QString& path) {
 
 void SessionController::prepare() {
   if (setUp_ || choice_.scanner.empty()) return;
+  const auto tell = [this, of = choice_](const Phrase& note) {
+    QMetaObject::invokeMethod(this, [this, of, note] {
+      if (of != choice_) return;
+      noteMemory(note);
+      emit setUpChanged();
+    });
+  };
   work_.begin<SharedSetUp>(
       Activity::Preparing, tr("Preparing the set-up"),
-      [choice = choice_, cache = cacheFolder_](const Progress& p) { return prepareSetUp(choice, cache, p); },
+      [choice = choice_, cache = cacheFolder_, tell](const Progress& p) {
+        if (const auto note = memoryNoteOf(choice)) tell(*note);
+        return prepareSetUp(choice, cache, p);
+      },
       [this](const SharedSetUp& setUp) {
         if (!session_ && turnedByHand(*setUp)) mode_ = Mode::Assisted;
         if (!setUp->notes.empty()) emit message(QString::fromStdString(setUp->notes));
         changeSetUp(setUp);
       });
+}
+
+void SessionController::noteMemory(const Phrase& note) {
+  const QString text = translated(note);
+  memoryNote_ = text.left(1).toUpper() + text.mid(1) + QLatin1Char('.');
+  emit message(memoryNote_);
 }
 
 QString SessionController::sessionPath() const {
@@ -110,6 +128,11 @@ QString SessionController::sessionPath() const {
 void SessionController::adopt(const SessionPointer& session, const SharedSetUp& setUp, const QString& page) {
   session_ = session;
   choice_ = setUp->choice;
+  memoryNote_.clear();
+  if (setUp->profile)
+    if (const auto note = vantage::memoryNote(setUp->profile->rays->size(), choice_.settings.thinning,
+                                              static_cast<std::size_t>(session->scanCount())))
+      noteMemory(*note);
   page_ = page;
   for (const Loss& loss : session->losses()) emit failed(translated(phraseOf(loss, session->path())));
   changeSetUp(setUp);
@@ -327,6 +350,10 @@ void SessionController::leaveOut(std::int64_t scan) {
 
 void SessionController::takeBack(std::int64_t scan) {
   change(TakeBackView{scan});
+}
+
+void SessionController::takeAsFrom(std::int64_t scan, double tableDeg) {
+  change(TakeAsFrom{scan, tableDeg});
 }
 
 Present SessionController::presentBefore() const {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "acquisition/acquisition.h"
+#include "base/phrase.h"
 #include "bench/device_bench.h"
 #include "bench/table_calibrating.h"
 #include "bench/test_scans.h"
@@ -49,6 +50,9 @@ class SessionController final : public QObject {
   /// Reads profile and object of the choice.
   void prepare();
   [[nodiscard]] const SharedSetUp& setUp() const { return setUp_; }
+  /// How much memory the scanner of the choice is going to take, known before it is prepared; empty where that is
+  /// little.
+  [[nodiscard]] const QString& memoryNote() const { return memoryNote_; }
   void testTurn();
   void testScan();
   /// What is cut out of scans from now on; before the first scan.
@@ -104,6 +108,8 @@ class SessionController final : public QObject {
   void allowMoreViews(int more);
   void leaveOut(std::int64_t scan);
   void takeBack(std::int64_t scan);
+  /// A scan that was refused is taken as from another turn of the table, see TakeAsFrom.
+  void takeAsFrom(std::int64_t scan, double tableDeg);
 
   /// Where the session is now and what comes next: the one place that knows. Also before there is a session.
   [[nodiscard]] const Present& present() const { return present_; }
@@ -148,6 +154,7 @@ class SessionController final : public QObject {
   using SessionPointer = std::shared_ptr<Session>;
 
   void changeSetUp(const SharedSetUp& setUp);
+  void noteMemory(const Phrase& note);
   void scanInBackground(bool untilTheEnd);
   /// Whether there is nothing to say against; what there is, is said.
   bool allowed(const QString& whyNot);
@@ -165,6 +172,7 @@ class SessionController final : public QObject {
   std::shared_ptr<RigKeeper> devices_;
   SetUpChoice choice_;
   SharedSetUp setUp_;
+  QString memoryNote_;
   Undertaking work_;
   DeviceBench bench_;
   TestScans testScans_;

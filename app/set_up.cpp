@@ -6,6 +6,8 @@
 
 #include "io/placement.h"
 #include "positional_space/scanner_images_cache.h"
+#include "report/memory_note.h"
+#include "scanner/profile_size.h"
 
 namespace vantage {
 
@@ -40,6 +42,12 @@ bool turnedByHand(const SetUp& setUp) {
 
 bool operator==(const SetUpChoice& a, const SetUpChoice& b) {
   return a.rig == b.rig && a.scanner == b.scanner && a.folder == b.folder && a.settings == b.settings;
+}
+
+std::optional<Phrase> memoryNoteOf(const SetUpChoice& choice) {
+  RigDescription rig = choice.rig;
+  rig.scanner = choice.scanner;
+  return memoryNote(raysSaidBy(profileOf(rig)), choice.settings.thinning);
 }
 
 SharedSetUp prepareSetUp(const SetUpChoice& choice, const std::string& cacheFolder, const Progress& progress) {

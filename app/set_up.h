@@ -5,6 +5,7 @@
 #include <string>
 
 #include "acquisition/acquisition_state.h"
+#include "base/phrase.h"
 #include "base/progress.h"
 #include "devices/device_factory.h"
 #include "devices/rig_set_up.h"
@@ -48,6 +49,11 @@ struct SetUp {
 void connectDevices(SetUp& setUp);
 /// Whether a person turns the table.
 [[nodiscard]] bool turnedByHand(const SetUp& setUp);
+
+/// How much memory the scanner of a choice is going to take, by what its profile says; nothing where that is little.
+/// @throws IoError, InvalidInput as prepareSetUp does for the profile
+[[nodiscard]] std::optional<Phrase> memoryNoteOf(const SetUpChoice& choice);
+
 using SharedSetUp = std::shared_ptr<const SetUp>;
 
 /// Puts a mesh before the simulated scanner of a set-up whose profile and settings are known.

@@ -13,6 +13,7 @@
 #include "report/areas_known.h"
 #include "why_card.h"
 #include "wizard/next_view_box.h"
+#include "wizard/other_turn_box.h"
 
 namespace vantage {
 namespace {
@@ -75,6 +76,7 @@ void AcquirePage::build() {
   mode_->setDocumentMode(true);
   column().addWidget(mode_);
   column().addWidget(failure_);
+  column().addWidget(new OtherTurnBox(controller()));
   auto* ways = new QHBoxLayout;
   ways->addWidget(again_);
   ways->addWidget(byHand_);

@@ -17,6 +17,7 @@ CheckPage::CheckPage(SessionController& controller, QWidget* parent)
     : WizardPage(controller, parent),
       devicesTitle_(makeLabel(tr("Devices"), "section")),
       devices_(new DeviceBox(controller)),
+      memory_(makeLabel({})),
       verdict_(makeLabel({})),
       sketch_(new VolumeSketch),
       figures_(new FigureTable),
@@ -28,6 +29,7 @@ CheckPage::CheckPage(SessionController& controller, QWidget* parent)
           tr("Scan twice, a few positions apart, and compare the turn with the profile. Neither scan is kept."))),
       turnVerdict_(makeLabel({})),
       turnFigures_(new FigureTable) {
+  column().addWidget(memory_);
   column().addWidget(devicesTitle_);
   column().addWidget(devices_);
   addSection(tr("Viewing volume"));
@@ -96,6 +98,8 @@ void CheckPage::refresh() {
   const SharedSetUp& setUp = controller().setUp();
   sketch_->show(setUp);
   figures_->clear();
+  memory_->setText(controller().memoryNote());
+  memory_->setVisible(!memory_->text().isEmpty());
   const bool outside = setUp && setUp->object && !setUp->object->insideVolume;
   fit_->setVisible(outside && !controller().hasSession());
   const bool real = controller().bench().real() && !controller().hasSession();

@@ -35,6 +35,7 @@ class CheckPage final : public WizardPage {
 
   QLabel* devicesTitle_;
   DeviceBox* devices_;
+  QLabel* memory_;
   QLabel* verdict_;
   VolumeSketch* sketch_;
   FigureTable* figures_;

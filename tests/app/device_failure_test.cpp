@@ -1,11 +1,15 @@
 // What a session does when its devices fail, and when a person takes the place of one.
 #include <gtest/gtest.h>
 
+#include <QPushButton>
 #include <QTemporaryDir>
+#include <QTest>
 #include <fstream>
 
 #include "app/told_devices.h"
+#include "ending_text.h"
 #include "session_controller.h"
+#include "wizard/other_turn_box.h"
 
 namespace vantage {
 namespace {
@@ -86,6 +90,64 @@ TEST_F(DeviceFailure, ScansAreTakenAsTheyComeWhileAPersonTurnsTheTable) {
   controller_.run();
   EXPECT_GE(countScans(*controller_.now(), ScanStatus::In), 3U) << controller_.scanFailure().toStdString();
   for (const KeptScan& scan : controller_.now()->scans) EXPECT_EQ(scan.view.image->poseKnownBy, PoseSource::ByHand);
+}
+
+// A person turned the table by far more than was asked: the scan is refused, where it fits is offered, and taken there
+// it is a view.
+TEST_F(DeviceFailure, AScanThatAPersonTookElsewhereIsTakenFromThere) {
+  prepare(HandTableDevice{});
+  for (int i = 0; i < 2; ++i) controller_.step();
+  ASSERT_EQ(countScans(*controller_.now(), ScanStatus::In), 2U) << failure_.toStdString();
+  OtherTurnBox box(controller_);
+  const auto offers = [&] {
+    std::vector<QPushButton*> shown;
+    for (auto* button : box.findChildren<QPushButton*>("takeAsFrom"))
+      if (button->isVisibleTo(&box)) shown.push_back(button);
+    return shown;
+  };
+  EXPECT_TRUE(offers().empty());
+  controller_.choosePosition(*controller_.present().tablePosition());
+  devices_.handOff = 70.0;
+  controller_.step();
+  ASSERT_EQ(controller_.now()->scans.back().status, ScanStatus::Rejected);
+  ASSERT_EQ(offers().size(), 1U) << failedScanText(*controller_.now()).toStdString();
+  EXPECT_TRUE(failedScanText(*controller_.now()).contains("fits")) << failedScanText(*controller_.now()).toStdString();
+  offers().front()->click();
+  EXPECT_EQ(controller_.now()->scans.back().status, ScanStatus::In) << failure_.toStdString();
+  EXPECT_TRUE(offers().empty());
+  controller_.undo();
+  EXPECT_EQ(controller_.now()->scans.back().status, ScanStatus::Rejected);
+}
+
+// A scanner of five million rays: what it is going to take is known while it is still being prepared.
+TEST(MemoryOfAScanner, IsToldBeforeItIsPrepared) {
+  const QTemporaryDir folder;
+  const QString profile = folder.filePath("large.json");
+  std::ofstream(profile.toStdString()) << R"({"name": "large", "scanner": {"type": "pinhole", "position": [450, 0, 250],
+    "look_at": [0, 0, 60], "rows": 2048, "columns": 2448, "horizontal_fov_deg": 40, "vertical_fov_deg": 34,
+    "receivers": [[75, 0, 0]], "breakdown_angle_deg": 70, "range_mm": [300, 1500], "noise": {"range_sigma_mm": 0.1}},
+    "workspace": {"type": "turntable", "steps": 36}, "viewing_volume": {"radius_mm": 100, "height_mm": 150},
+    "mechanics": {"angle_sigma_deg": 0.3, "position_sigma_mm": 0.3}})";
+  ThreadedJobRunner jobs(1);
+  SessionController controller(jobs, "");
+  QString failure;
+  QObject::connect(&controller, &SessionController::failed, [&](const QString& what) { failure = what; });
+  SetUpChoice choice;
+  choice.scanner = profile.toStdString();
+  choice.folder = folder.filePath("out").toStdString();
+  choice.rig = {FolderDevice{folder.path().toStdString()}, NoTableDevice{}, {}, {}};
+  controller.setChoice(choice);
+  controller.prepare();
+  EXPECT_TRUE(controller.memoryNote().isEmpty());
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !controller.memoryNote().isEmpty(); }, 60'000)) << failure.toStdString();
+  EXPECT_EQ(controller.activity(), Activity::Preparing);
+  EXPECT_TRUE(controller.memoryNote().contains("million rays")) << controller.memoryNote().toStdString();
+  EXPECT_TRUE(controller.memoryNote().contains("GB"));
+  controller.stop();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return controller.idle(); }, 60'000));
+  choice.scanner.clear();
+  controller.setChoice(choice);
+  EXPECT_TRUE(controller.memoryNote().isEmpty());
 }
 
 }  // namespace

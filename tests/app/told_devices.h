@@ -83,6 +83,7 @@ struct ToldDevices {
   std::shared_ptr<ToldTable> table = std::make_shared<ToldTable>();
   int made = 0;
   std::string failsToOpen;  ///< why; empty: they open
+  double handOff = 0.0;     ///< by so much a person turns the table wrong [deg]
 
   [[nodiscard]] DeviceFactory factory() {
     return DeviceFactory(DeviceFactory::kPatience, [this](const DeviceSetUp& setUp, std::int64_t /*scansBefore*/) {
@@ -90,8 +91,8 @@ struct ToldDevices {
       if (!failsToOpen.empty()) throw DeviceError(failsToOpen);
       const auto& real = std::get<RealDevices>(setUp);
       if (std::holds_alternative<HandTableDevice>(real.rig.table)) {
-        const auto turn = [table = table, profile = real.profile](int position, const Progress&) {
-          table->counted = tableAngleOf(*profile, position, 0.0);
+        const auto turn = [this, profile = real.profile](int position, const Progress&) {
+          table->counted = tableAngleOf(*profile, position, 0.0) + handOff;
         };
         return Rig{std::make_shared<SensorBeforeTable>(smallObject(), real.profile, table),
                    std::make_shared<HandTable>(real.profile, turn, kTurnedByHand), nullptr};

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <QWidget>
+#include <vector>
+
+class QPushButton;
+
+namespace vantage {
+
+class SessionController;
+
+/// Of a scan that does not fit where it was said to be taken: the turns of the table that it does fit, each to be
+/// confirmed by the operator with one button. Hidden while there are none.
+class OtherTurnBox final : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit OtherTurnBox(SessionController& controller, QWidget* parent = nullptr);
+
+ private:
+  void refresh();
+
+  SessionController& controller_;
+  std::vector<QPushButton*> buttons_;
+};
+
+}  // namespace vantage
