@@ -13,8 +13,9 @@ Phrase millions(std::size_t count) {
   return figure(static_cast<double>(count) / 1e6, 1);
 }
 
-Phrase gigabytes(double megabytes) {
-  return figure(megabytes / 1e3, 1);
+// "1.2 GB", "44 MB".
+Phrase memory(double megabytes) {
+  return megabytes < 100.0 ? words("%1 MB", {figure(megabytes, 0)}) : words("%1 GB", {figure(megabytes / 1e3, 1)});
 }
 
 }  // namespace
@@ -24,9 +25,9 @@ std::optional<Phrase> memoryNote(std::size_t rays, const ThinningOptions& thinni
   const double next = needed.with(static_cast<int>(scans) + 1);
   if (next <= kWorthSaying) return std::nullopt;
   Phrase note = words(
-      "the scanner has %1 million rays: this takes about %2 GB of memory, about %3 GB more with every scan, and every "
+      "the scanner has %1 million rays: this takes about %2 of memory, about %3 more with every scan, and every "
       "step some time",
-      {millions(rays), gigabytes(next), gigabytes(needed.everyScan)});
+      {millions(rays), memory(next), memory(needed.everyScan)});
   if (needed.worked == rays) return note;
   return words("%1; of every scan about %2 million samples are worked on, the session keeps all",
                {std::move(note), millions(needed.worked)});

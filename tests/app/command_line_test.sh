@@ -136,7 +136,7 @@ expect 1 "" bash -c "ulimit -f 64; '$cli' acquire --object '$mug' --scanner '$sc
 
 # A scanner of very many rays says what it takes before the work begins.
 sed -E 's/("samples_per_stripe": )[0-9]+/\12000/; s/("stripes": )[0-9]+/\12000/' "$scanner" >"$work/large.json"
-expect 1 "4.0 million rays: this takes about 0.6 GB of memory, about 0.1 GB more with every scan" "$cli" acquire --object "$mug" --scanner "$work/large.json" --out "$work/large" --first-view 9999
+expect 1 "4.0 million rays: this takes about 0.4 GB of memory, about 44 MB more with every scan" "$cli" acquire --object "$mug" --scanner "$work/large.json" --out "$work/large" --first-view 9999
 
 # Killed: the run goes on to the same bytes, with the object's file gone. Nobody may open the session meanwhile.
 cp "$mug" "$work/mug.ply"

@@ -14,7 +14,10 @@ TEST(MemoryNote, CountsTheScansThatAreThere) {
   const auto later = memoryNote(5'000'000, {}, 9);
   ASSERT_TRUE(first && later);
   EXPECT_NE(english(*first), english(*later));
-  EXPECT_NE(english(*first).find("the scanner has 5.0 million rays"), std::string::npos) << english(*first);
+  EXPECT_NE(
+      english(*first).find("the scanner has 5.0 million rays: this takes about 0.5 GB of memory, about 56 MB more"),
+      std::string::npos)
+      << english(*first);
 }
 
 TEST(MemoryNote, SaysHowMuchOfAScanIsWorkedOn) {
