@@ -32,8 +32,11 @@ std::vector<ReadScan> read(const std::vector<std::string>& texts, const ScanRead
                            const std::vector<ScanPose>* list = nullptr, const ScannerProfile* profile = nullptr) {
   const TemporaryFolder folder;
   std::vector<std::string> files;
-  for (std::size_t i = 0; i < texts.size(); ++i)
-    files.push_back(folder.write(std::to_string(i) + ".ply", texts[i]));
+  for (std::size_t i = 0; i < texts.size(); ++i) {
+    std::string name = "s";
+    name += std::to_string(i);
+    files.push_back(folder.write(name + ".ply", texts[i]));
+  }
   return readScans(files, list, profile, options);
 }
 
