@@ -9,6 +9,8 @@
 #include <limits>
 #include <vector>
 
+#include "base/errors.h"
+
 namespace vantage {
 namespace {
 
@@ -117,15 +119,25 @@ class BoundedQuadric : public OpenMesh::Decimater::ModQuadricT<OpenMeshMesh> {
   double maxSquaredDistance_ = 0.0;
 };
 
-// Ends the decimation when a stop is requested.
+// Tells how far the decimation is, and ends it when a stop is requested.
 class StopObserver final : public OpenMesh::Decimater::Observer {
  public:
-  explicit StopObserver(const Progress& progress) : Observer(kStopInterval), progress_(progress) {}
-  void notify(std::size_t /*step*/) override {}
+  // @param collapses about so many are to come; each takes two triangles
+  StopObserver(const Progress& progress, std::size_t collapses)
+      : Observer(kStopInterval), progress_(progress), collapses_(static_cast<double>(collapses)) {}
+  // No exception may go through OpenMesh.
+  void notify(std::size_t step) override {
+    try {
+      progress_.checkpoint(static_cast<double>(step) / collapses_);
+    } catch (const Cancelled&) {
+      // abort() tells.
+    }
+  }
   [[nodiscard]] bool abort() const override { return progress_.stopRequested(); }
 
  private:
-  const Progress& progress_;
+  Progress progress_;
+  double collapses_;
 };
 
 // OpenMesh complains on std::cerr about every triangle it refuses; that is not ours to print.
@@ -195,7 +207,7 @@ Mesh decimate(const Mesh& mesh, const DecimationOptions& options, const Progress
   OpenMesh::Decimater::ModNormalFlippingT<OpenMeshMesh>::Handle flipping;
   decimater.add(flipping);
   decimater.module(flipping).set_max_normal_deviation(kMaxTurn);
-  StopObserver observer(progress);
+  StopObserver observer(progress.part(0.3, 0.9), (mesh.triangles.size() - options.targetTriangles) / 2 + 1);
   decimater.set_observer(&observer);
   decimater.initialize();
   progress.checkpoint(0.3);

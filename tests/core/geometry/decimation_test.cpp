@@ -106,6 +106,16 @@ TEST(Decimation, RepeatsToTheByte) {
   EXPECT_EQ(first.triangles, second.triangles);
 }
 
+TEST(Decimation, TellsAllTheTimeHowFarItIs) {
+  std::vector<double> told;
+  const Progress progress([&](double fraction, std::string_view /*step*/) { told.push_back(fraction); }, {}, 1);
+  static_cast<void>(decimate(makeSphere(50.0, 100), {.targetTriangles = 1000, .maxError = 10.0}, progress));
+  const auto meanwhile =
+      std::count_if(told.begin(), told.end(), [](double fraction) { return fraction > 0.3 && fraction < 0.9; });
+  EXPECT_GT(meanwhile, 4);
+  EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
+}
+
 TEST(Decimation, AMeshSmallEnoughIsReturnedAsItIs) {
   const Mesh mesh = makeGrid(4, 4, 1.0);
   const Mesh same = decimate(mesh, {.targetTriangles = 32});
