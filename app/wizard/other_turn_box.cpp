@@ -36,6 +36,7 @@ void OtherTurnBox::refresh() {
       connect(button, &QPushButton::clicked, this,
               [this, number = scan.number, turn] { controller_.takeAsFrom(number, turn); });
       layout()->addWidget(button);
+      button->show();
       buttons_.push_back(button);
     }
   }

@@ -12,6 +12,7 @@
 #include "report/reading_words.h"
 #include "report/wording.h"
 #include "why_card.h"
+#include "wizard/other_turn_box.h"
 #include "wording.h"
 
 namespace vantage {
@@ -52,6 +53,7 @@ ReviewPage::ReviewPage(SessionController& controller, QWidget* parent)
       toggle_(makeButton(tr("&Leave this view out"), QStringLiteral("leaveOut"),
                          tr("Make the model without this view, or take it back. The scan is kept."))) {
   column().addWidget(reason_);
+  column().addWidget(new OtherTurnBox(controller));
   column().addWidget(figures_);
   addSection(tr("What is left, and why"));
   column().addWidget(left_);

@@ -47,7 +47,7 @@ TEST(CameraModel, TheProfileOfACameraHasItsPixelsAsRays) {
   const Vec3 forward = (kLookAt - kPosition).normalized();
   const Vec3 right = forward.cross(Vec3::UnitZ()).normalized();
   const Vec3 up = right.cross(forward);
-  for (const auto [x, y] : {std::pair{1, 1}, {639, 1}, {320, 240}, {17, 400}}) {
+  for (const auto& [x, y] : {std::pair{1, 1}, {639, 1}, {320, 240}, {17, 400}}) {
     const std::size_t i = profile.rays->index(y - 1, x - 1);
     EXPECT_EQ(pixels.pixel[i], static_cast<std::size_t>(y * 640 + x));
     const Vec3 d = pixelDirection(kCamera, x, y);
