@@ -1,5 +1,6 @@
 #include "wizard/other_turn_box.h"
 
+#include <QLabel>
 #include <QPushButton>
 #include <QVBoxLayout>
 
@@ -9,9 +10,11 @@
 
 namespace vantage {
 
-OtherTurnBox::OtherTurnBox(SessionController& controller, QWidget* parent) : QWidget(parent), controller_(controller) {
+OtherTurnBox::OtherTurnBox(SessionController& controller, QWidget* parent)
+    : QWidget(parent), controller_(controller), what_(makeLabel({})) {
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
+  column->addWidget(what_);
   connect(&controller, &SessionController::stateChanged, this, &OtherTurnBox::refresh);
   connect(&controller, &SessionController::activityChanged, this, &OtherTurnBox::refresh);
   refresh();
@@ -26,6 +29,8 @@ void OtherTurnBox::refresh() {
   const SharedState& now = controller_.now();
   if (now && controller_.idle() && !now->scans.empty() && now->scans.back().status == ScanStatus::Rejected) {
     const KeptScan& scan = now->scans.back();
+    what_->setText(
+        tr("Scan %1 fits another turn of the table than was said. If the table stood there:").arg(scan.number));
     for (const double turn : turnsThatFit(*now, scan)) {
       const QString angle = QString::number(turn, 'f', 1) + QStringLiteral("°");
       auto* button = makeButton(tr("It was taken at %1").arg(angle), QStringLiteral("takeAsFrom"),

@@ -3,6 +3,7 @@
 #include <QWidget>
 #include <vector>
 
+class QLabel;
 class QPushButton;
 
 namespace vantage {
@@ -21,6 +22,7 @@ class OtherTurnBox final : public QWidget {
   void refresh();
 
   SessionController& controller_;
+  QLabel* what_;
   std::vector<QPushButton*> buttons_;
 };
 
