@@ -22,13 +22,16 @@ class Alignment {
   [[nodiscard]] CompositeAlignment judged(std::span<const FoundPose> found, const Progress& progress) const {
     CompositeAlignment result;
     std::size_t refined = 0;
+    bool slides = false;  // then rivals change nothing
     for (const FoundPose& pose : found) {
       result.poses.push_back({pose.T_reference_moved, pose.evidence, pose.score, 0.0, {}, {}});
       const auto n = static_cast<double>(std::min(found.size(), options_.refined));
       const auto k = static_cast<double>(refined);
-      if (refined >= options_.refined || (refined > 0 && !mightBe(pose, found.front()))) continue;
+      if (refined >= options_.refined || slides || (refined > 0 && !mightBe(pose, found.front()))) continue;
       refine(result.poses.back(), progress.part(0.95 * k / n, 0.95 * (k + 1.0) / n));
       ++refined;
+      slides = isPossible(result.poses.back(), limits_, options_.limits) &&
+               result.poses.back().leastInformation < options_.limits.leastInformation;
     }
     std::stable_sort(result.poses.begin(), result.poses.end(),
                      [](const AlignedPose& a, const AlignedPose& b) { return a.score > b.score; });
@@ -108,8 +111,10 @@ class Alignment {
 
 MultiViewOptions refinementOfComposites() {
   MultiViewOptions options;
-  options.coarsePoints = 20'000;
-  options.finePoints = 80'000;
+  options.coarsePoints = 15'000;
+  options.finePoints = 60'000;
+  options.leastPoints = 150;
+  options.maxIterations = 25;
   return options;
 }
 

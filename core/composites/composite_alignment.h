@@ -16,7 +16,7 @@ namespace vantage {
 struct CompositeAlignmentOptions {
   PoseSearchOptions search;
   MultiViewOptions refinement = refinementOfComposites();  ///< of all views, for every pose that is refined
-  std::size_t refined = 4;  ///< poses that are refined: the best and its rivals
+  std::size_t refined = 4;                                 ///< poses that are refined: the best and its rivals
   AlignmentVerdictLimits limits;
 };
 
