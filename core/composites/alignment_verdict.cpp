@@ -7,6 +7,9 @@
 namespace vantage {
 namespace {
 
+// The most stretched of some dozens of ties, as long as they are right [sigmas].
+constexpr double kUsualTension = 3.0;
+
 // What noise and spacing of the samples let the residual of a right pose be.
 double residualLimit(const AlignmentLimits& limits) {
   return 2.0 * limits.scale.noise + 0.1 * limits.scale.spacing;
@@ -15,6 +18,9 @@ double residualLimit(const AlignmentLimits& limits) {
 bool isRival(const AlignedPose& pose, const AlignedPose& best, const AlignmentLimits& limits,
              const AlignmentVerdictLimits& verdictLimits) {
   const double slack = verdictLimits.rivalSlack * limits.scale.noise;
+  if (pose.refinement && best.refinement && pose.evidence.rms > best.evidence.rms &&
+      pose.refinement->tension > std::max(best.refinement->tension, kUsualTension) + verdictLimits.rivalTension)
+    return false;
   return pose.evidence.rms < verdictLimits.rivalResidual * best.evidence.rms + slack &&
          pose.score > verdictLimits.rivalScore * best.score;
 }

@@ -38,10 +38,11 @@ inline constexpr AlignmentReason kLastAlignmentReason = AlignmentReason::OtherOb
 struct AlignmentVerdictLimits {
   double contradiction = 0.003;    ///< most surface that rays or a table speak against [share, 0..1]
   double missing = 0.06;           ///< most surface that should have been seen and was not [share, 0..1]
-  double overlap = 0.03;           ///< least [share, 0..1]
+  double overlap = 0.05;           ///< least [share, 0..1]
   double leastInformation = 4e-4;  ///< of the weakest motion: with less the composites slide along each other, of 1
   double rivalResidual = 2.0;      ///< a rival may lie so many times farther off than the best,
   double rivalSlack = 0.5;         ///< and so much more [sigmas of the noise],
+  double rivalTension = 2.0;       ///< and its ties be stretched by so much more [sigmas],
   double rivalScore = 0.3;         ///< if its score is at least this share of the best's
   double tension = 7.0;  ///< of ties: where no pose fits and one is stretched more, a composite is bent [sigmas]
 };

@@ -89,6 +89,8 @@ std::optional<SimulatedStand> simulatedStand(const StandObject& object, std::siz
   std::vector<RestingFace> faces = restingFaces(object.mesh.vertices);
   std::erase_if(faces, [](const RestingFace& f) { return f.margin < kFirm || f.share < kLikely; });
   if (face >= faces.size()) return std::nullopt;
+  std::stable_sort(faces.begin(), faces.end(),
+                   [](const RestingFace& a, const RestingFace& b) { return a.margin > b.margin; });
   SimulatedStand stand;
   Random random(seed, 5);
   stand.T_table_object =

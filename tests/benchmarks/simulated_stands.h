@@ -39,7 +39,7 @@ struct SimulatedStand {
 
 /// Puts the object on one of its faces, turned about the vertical at random, and acquires it from `turns` turns evenly
 /// around with noise of 0.1 mm and errors of 0.3 degrees and 0.3 mm per move.
-/// @param face of those that it rests on for sure, the likeliest first; nothing when it has fewer
+/// @param face of those that it rests on for sure, the firmest first; nothing when it has fewer
 [[nodiscard]] std::optional<SimulatedStand> simulatedStand(const StandObject& object, std::size_t face, int turns,
                                                            std::uint64_t seed);
 

@@ -45,6 +45,16 @@ TEST(AlignmentVerdict, ARivalThatFitsFarWorseIsNone) {
   EXPECT_EQ(judged({poseWith(kRight), poseWith({0.1, 0.1, 0.0, 0.0, 0.0})}).verdict, AlignmentVerdict::Good);
 }
 
+TEST(AlignmentVerdict, ARivalThatHasToBendTheCompositesIsNone) {
+  std::vector<AlignedPose> poses{poseWith(kRight), poseWith({0.5, 0.2, 0.0, 0.0, 0.0})};
+  for (AlignedPose& pose : poses) pose.refinement = JointRefinement{};
+  poses[0].refinement->tension = 2.5;
+  poses[1].refinement->tension = 4.0;
+  EXPECT_EQ(judged(poses).verdict, AlignmentVerdict::Ambiguous);
+  poses[1].refinement->tension = 6.0;
+  EXPECT_EQ(judged(poses).verdict, AlignmentVerdict::Good);
+}
+
 TEST(AlignmentVerdict, WhatSlidesIsAmbiguous) {
   const auto judgement = judged({poseWith(kRight, 1e-5)});
   EXPECT_EQ(judgement.verdict, AlignmentVerdict::Ambiguous);
