@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace vantage {
 namespace {
@@ -28,7 +29,7 @@ bool isRival(const AlignedPose& pose, const AlignedPose& best, const AlignmentLi
 AlignmentJudgement failure(const AlignedPose& best, const AlignmentLimits& limits,
                            const AlignmentVerdictLimits& verdictLimits) {
   const auto failed = [](AlignmentReason reason, double value) {
-    return AlignmentJudgement{AlignmentVerdict::Failed, reason, value, {}};
+    return AlignmentJudgement{AlignmentVerdict::Failed, reason, value, false, {}};
   };
   const PoseEvidence& evidence = best.evidence;
   const bool bent = best.refinement && best.refinement->tension > verdictLimits.tension;
@@ -60,7 +61,7 @@ bool isPossible(const AlignedPose& pose, const AlignmentLimits& limits, const Al
 
 AlignmentJudgement judgeAlignment(std::span<const AlignedPose> poses, const AlignmentLimits& limits,
                                   const AlignmentVerdictLimits& verdictLimits) {
-  if (poses.empty()) return {AlignmentVerdict::Failed, AlignmentReason::TooLittleOverlap, 0.0, {}};
+  if (poses.empty()) return {AlignmentVerdict::Failed, AlignmentReason::TooLittleOverlap, 0.0, false, {}};
   std::vector<std::size_t> choice;
   for (std::size_t k = 0; k < poses.size(); ++k) {
     if (!isPossible(poses[k], limits, verdictLimits)) continue;
@@ -68,13 +69,23 @@ AlignmentJudgement judgeAlignment(std::span<const AlignedPose> poses, const Alig
   }
   if (choice.empty()) return failure(poses.front(), limits, verdictLimits);
   const AlignedPose& best = poses[choice.front()];
-  if (best.leastInformation < verdictLimits.leastInformation)
-    return {AlignmentVerdict::Ambiguous, AlignmentReason::Slides, best.leastInformation, std::move(choice)};
-  if (choice.size() > 1) {
-    const auto count = static_cast<double>(choice.size());
-    return {AlignmentVerdict::Ambiguous, AlignmentReason::SeveralPoses, count, std::move(choice)};
+  AlignmentJudgement judgement;
+  judgement.bent = best.refinement && best.refinement->tension > verdictLimits.tension;
+  if (best.leastInformation < verdictLimits.leastInformation) {
+    judgement.verdict = AlignmentVerdict::Ambiguous;
+    judgement.reason = AlignmentReason::Slides;
+    judgement.value = best.leastInformation;
+  } else if (choice.size() > 1) {
+    judgement.verdict = AlignmentVerdict::Ambiguous;
+    judgement.reason = AlignmentReason::SeveralPoses;
+    judgement.value = static_cast<double>(choice.size());
+  } else {
+    judgement.verdict = AlignmentVerdict::Good;
+    judgement.reason = AlignmentReason::OnePose;
+    judgement.value = best.evidence.overlap;
   }
-  return {AlignmentVerdict::Good, AlignmentReason::OnePose, best.evidence.overlap, std::move(choice)};
+  judgement.choice = std::move(choice);
+  return judgement;
 }
 
 }  // namespace vantage

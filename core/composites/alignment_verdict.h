@@ -50,7 +50,10 @@ struct AlignmentVerdictLimits {
 struct AlignmentJudgement {
   AlignmentVerdict verdict = AlignmentVerdict::Failed;
   AlignmentReason reason = AlignmentReason::OtherObject;
-  std::optional<double> value;      ///< in the unit of the reason
+  std::optional<double> value;  ///< in the unit of the reason
+  /// Whether the best possible pose took a composite to give in by more than its ties allow: its views were not where
+  /// the mechanics had them.
+  bool bent = false;
   std::vector<std::size_t> choice;  ///< indices of the possible poses that it is between, the best first
 };
 

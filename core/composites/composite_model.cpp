@@ -36,14 +36,15 @@ void check(const Composite& composite) {
 
 CompositeModel::CompositeModel(Composite composite, const Progress& progress) : composite_(std::move(composite)) {
   check(composite_);
-  progress.checkpoint(0.0);
-  surface_ = std::make_shared<const CompositeSurface>(composite_.model->mesh);
+  surface_ = std::make_shared<const CompositeSurface>(composite_.model->mesh, progress.part(0.0, 0.1, "prepare"));
   std::array<std::vector<std::uint32_t>, kPointLevels> points;
-  for (std::size_t level = 0; level < points.size(); ++level) points[level] = surface_->spread(kCounts[level]);
+  for (std::size_t level = 0; level < points.size(); ++level) {
+    progress.checkpoint(0.1);
+    points[level] = surface_->spread(kCounts[level]);
+  }
   points_ = std::make_shared<const std::array<std::vector<std::uint32_t>, kPointLevels>>(std::move(points));
   if (this->points(PointLevel::Fine).empty())
     throw InvalidInput("a composite has no surface away from its border, so there is nothing to align");
-  progress.checkpoint(0.1);
   prepared_ =
       std::make_shared<const std::vector<PreparedView>>(prepareViews(composite_.views, progress.part(0.1, 0.4)));
   scale_ = scaleOf(*prepared_);

@@ -24,6 +24,7 @@ inline constexpr int kPointLevels = 3;
 /// work, done once per composite. Immutable; cheap to copy.
 class CompositeModel {
  public:
+  /// Steps reported: prepare.
   /// @throws InvalidInput for a composite without views or surface, for provenance or ties that name no view; Cancelled
   explicit CompositeModel(Composite composite, const Progress& progress = {});
 

@@ -26,31 +26,35 @@ std::uint32_t curvePlace(const Vec3& p, const BoundingBox& box) {
 
 }  // namespace
 
-CompositeSurface::CompositeSurface(const Mesh& mesh) : points_(mesh.vertices), area_(mesh.vertices.size(), 0.0) {
+CompositeSurface::CompositeSurface(const Mesh& mesh, const Progress& progress)
+    : points_(mesh.vertices), area_(mesh.vertices.size(), 0.0) {
   validate(mesh);
+  progress.checkpoint(0.0);
   normals_ = smoothedNormals(mesh);
+  progress.checkpoint(0.5);
   inside_ = borderVertices(mesh);
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
-  edges.reserve(6 * mesh.triangles.size());
+  firstNeighbour_.assign(points_.size() + 2, 0);
   for (const Triangle& t : mesh.triangles) {
     const double third = triangleArea(mesh, t) / 3.0;
-    for (std::size_t k = 0; k < 3; ++k) {
-      area_[t[k]] += third;
-      edges.emplace_back(t[k], t[(k + 1) % 3]);
-      edges.emplace_back(t[(k + 1) % 3], t[k]);
+    for (const std::uint32_t v : t) {
+      area_[v] += third;
+      firstNeighbour_[v + 2] += 2;
     }
   }
+  progress.checkpoint(0.7);
+  std::partial_sum(firstNeighbour_.begin(), firstNeighbour_.end(), firstNeighbour_.begin());
+  neighbours_.resize(firstNeighbour_.back());
+  // While they are filled, entry v + 1 is where the next neighbour of v goes; in the end it is where those of v + 1
+  // begin.
+  for (const Triangle& t : mesh.triangles) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      neighbours_[firstNeighbour_[t[k] + 1]++] = t[(k + 1) % 3];
+      neighbours_[firstNeighbour_[t[k] + 1]++] = t[(k + 2) % 3];
+    }
+  }
+  firstNeighbour_.pop_back();
   for (std::size_t v = 0; v < inside_.size(); ++v)
     inside_[v] = inside_[v] == 0 && normals_[v].squaredNorm() > 0.5 ? 1 : 0;
-  std::sort(edges.begin(), edges.end());
-  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
-  firstNeighbour_.assign(points_.size() + 1, 0);
-  neighbours_.reserve(edges.size());
-  for (const auto& [from, to] : edges) {
-    ++firstNeighbour_[from + 1];
-    neighbours_.push_back(to);
-  }
-  std::partial_sum(firstNeighbour_.begin(), firstNeighbour_.end(), firstNeighbour_.begin());
 }
 
 std::uint32_t CompositeSurface::walkTo(const Vec3& p, std::uint32_t from) const {

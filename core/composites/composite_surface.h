@@ -14,8 +14,8 @@ namespace vantage {
 /// is found by walking. Immutable; queries may run on any thread.
 class CompositeSurface {
  public:
-  /// @throws InvalidInput when a triangle names a vertex that the mesh does not have.
-  explicit CompositeSurface(const Mesh& mesh);
+  /// @throws InvalidInput when a triangle names a vertex that the mesh does not have; Cancelled
+  explicit CompositeSurface(const Mesh& mesh, const Progress& progress = {});
 
   [[nodiscard]] std::size_t size() const { return points_.size(); }
   [[nodiscard]] const Vec3& point(std::uint32_t i) const { return points_[i]; }    ///< [mm]
@@ -40,7 +40,7 @@ class CompositeSurface {
   std::vector<std::uint8_t> inside_;
   std::vector<double> area_;  // that a point stands for [mm^2]
   std::vector<std::uint32_t> firstNeighbour_;
-  std::vector<std::uint32_t> neighbours_;
+  std::vector<std::uint32_t> neighbours_;  // of all points, one after the other; some of them twice
 };
 
 }  // namespace vantage

@@ -170,6 +170,19 @@ PoseDistance distanceOf(const Pose& a, const Pose& b, const Vec3& centroid) {
   return {Eigen::AngleAxisd(a.linear().transpose() * b.linear()).angle(), (a * centroid - b * centroid).norm()};
 }
 
+PoseTurn turnBetween(const Pose& from, const Pose& to, const Vec3& centroid) {
+  const Pose motion = to * from.inverse();
+  const Eigen::AngleAxisd turn(motion.linear());
+  const Vec3 start = from * centroid;
+  const Vec3 shift = motion * start - start;
+  PoseTurn found{turn.axis(), turn.angle(), start, turn.axis().dot(shift)};
+  // The chord of the turn is its part across the axis: the centre lies beside the middle of it.
+  const Vec3 across = shift - found.slide * turn.axis();
+  const double half = std::tan(0.5 * turn.angle());
+  if (half > 1e-9) found.centre += 0.5 * across + turn.axis().cross(across) / (2.0 * half);
+  return found;
+}
+
 std::vector<FoundPose> searchPoses(const CompositeModel& reference, const CompositeModel& moved,
                                    const PoseSearchOptions& options, const Progress& progress) {
   const Search search(reference, moved, options);

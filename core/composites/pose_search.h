@@ -38,6 +38,15 @@ struct PoseDistance {
 };
 [[nodiscard]] PoseDistance distanceOf(const Pose& a, const Pose& b, const Vec3& centroid);
 
+/// What leads from one pose of a composite to another: the turn about an axis, in coordinates of the reference.
+struct PoseTurn {
+  Vec3 axis = Vec3::UnitZ();   ///< unit; any for no turn
+  double angle = 0.0;          ///< 0..pi [rad]
+  Vec3 centre = Vec3::Zero();  ///< the point of the axis that is nearest to the composite's centroid [mm]
+  double slide = 0.0;          ///< along the axis [mm]
+};
+[[nodiscard]] PoseTurn turnBetween(const Pose& from, const Pose& to, const Vec3& centroid);
+
 /// All poses of one composite against another that are worth a look, the best first: turns spread over all that there
 /// are, centroid on centroid, fitted coarsely, the best of them finer and finer. Poses that free space speaks against
 /// are among them with the evidence. Deterministic for any thread count; may be empty. @throws Cancelled

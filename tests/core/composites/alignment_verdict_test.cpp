@@ -78,6 +78,14 @@ TEST(AlignmentVerdict, FailuresSayWhy) {
   EXPECT_EQ(bent.verdict, AlignmentVerdict::Failed);
 }
 
+TEST(AlignmentVerdict, SaysWhenACompositeGaveInTooFar) {
+  AlignedPose pose = poseWith(kRight);
+  pose.refinement = JointRefinement{};
+  EXPECT_FALSE(judged({pose}).bent);
+  pose.refinement->tension = 12.0;
+  EXPECT_TRUE(judged({pose}).bent);
+}
+
 TEST(AlignmentVerdict, EveryReasonHasAName) {
   std::set<std::string_view> names;
   for (int k = 0; k <= static_cast<int>(kLastAlignmentReason); ++k) names.insert(name(static_cast<AlignmentReason>(k)));

@@ -58,6 +58,23 @@ TEST(PoseSearch, ARoughPoseIsFitted) {
   EXPECT_LT(testing::poseError(stands.moved, found[0].T_reference_moved, stands.T_reference_moved), 0.3);
 }
 
+TEST(PoseSearch, NamesTheTurnBetweenTwoPoses) {
+  const Vec3 axis = Vec3(1, 2, 2) / 3.0;
+  const Vec3 centre(10, -5, 3);
+  Pose from = Pose::Identity();
+  from.rotate(Eigen::AngleAxisd(0.7, Vec3::UnitY())).pretranslate(Vec3(4, 5, 6));
+  const Pose turn =
+      Eigen::Translation3d(centre + 2.5 * axis) * Eigen::AngleAxisd(2.0, axis) * Eigen::Translation3d(-centre);
+  const Vec3 centroid(1, 2, 3);
+  const PoseTurn found = turnBetween(from, turn * from, centroid);
+  EXPECT_NEAR(found.angle, 2.0, 1e-9);
+  EXPECT_LT((found.axis - axis).norm(), 1e-9);
+  EXPECT_NEAR(found.slide, 2.5, 1e-9);
+  // On the axis, and the nearest point of it.
+  EXPECT_LT((found.centre - centre).cross(axis).norm(), 1e-9);
+  EXPECT_NEAR((found.centre - from * centroid).dot(axis), 0.0, 1e-9);
+}
+
 TEST(PoseSearch, AScoreFallsWithEveryKindOfEvidence) {
   const AlignmentLimits limits = limitsOf({1.2, 0.1, 160.0}, {1.2, 0.1, 160.0});
   const PoseEvidence good{0.5, 0.1, 0.0, 0.0, 0.0};
