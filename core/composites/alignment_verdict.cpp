@@ -13,7 +13,7 @@ constexpr double kUsualTension = 3.0;
 
 // What noise and spacing of the samples let the residual of a right pose be.
 double residualLimit(const AlignmentLimits& limits) {
-  return 2.0 * limits.scale.noise + 0.1 * limits.scale.spacing;
+  return 1.5 * limits.scale.noise + 0.05 * limits.scale.spacing;
 }
 
 bool isRival(const AlignedPose& pose, const AlignedPose& best, const AlignmentLimits& limits,

@@ -1,5 +1,6 @@
 #include "composites/pose_search.h"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -85,7 +86,32 @@ class Search {
       pose.evidence = {quality.overlap, quality.rms, quality.conflict, quality.table, 0.0};
       pose.score = scoreOf(pose.evidence, limits_, kCoarseTolerance);
     });
-    return distinct(std::move(found), options_.medium);
+    return distinct(std::move(found), options_.sameTurn, limits_.reliefStep());
+  }
+
+  // The pose turned by parts of a turn about the main axes of what both composites show at it: where an object nearly
+  // fits itself, its other poses are there.
+  [[nodiscard]] std::vector<CoarsePose> turnedBy(const Pose& T_reference_moved, const Progress& progress) const {
+    std::vector<Vec3> points;
+    for (const std::uint32_t i : reference_.points(PointLevel::Coarse)) points.push_back(reference_.surface().point(i));
+    for (const std::uint32_t i : moved_.points(PointLevel::Coarse))
+      points.push_back(T_reference_moved * moved_.surface().point(i));
+    Vec3 centre = Vec3::Zero();
+    for (const Vec3& p : points) centre += p / static_cast<double>(points.size());
+    Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
+    for (const Vec3& p : points) spread += (p - centre) * (p - centre).transpose();
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(spread);
+    std::vector<CoarsePose> poses;
+    for (int axis = 0; axis < 3; ++axis) {
+      for (const double angle : {60.0, 90.0, 120.0, 180.0, 240.0, 270.0, 300.0}) {
+        const Pose turn = Eigen::Translation3d(centre) *
+                          Eigen::AngleAxisd(radians(angle), Vec3(solver.eigenvectors().col(axis))) *
+                          Eigen::Translation3d(-centre);
+        poses.push_back({turn * T_reference_moved, {}});
+      }
+    }
+    fitClose(poses, progress);
+    return poses;
   }
 
   [[nodiscard]] std::vector<FoundPose> fine(std::vector<FoundPose> poses, const Progress& progress) const {
@@ -102,7 +128,7 @@ class Search {
       pose.score = scoreOf(pose.evidence, limits_, kFineTolerance);
       done += 1.0;
     }
-    return distinct(std::move(poses), options_.medium);
+    return distinct(std::move(poses), options_.distinctTurn, limits_.distinctShift());
   }
 
  private:
@@ -136,16 +162,16 @@ class Search {
            });
   }
 
-  // The best `count` poses that differ from each other.
-  [[nodiscard]] std::vector<FoundPose> distinct(std::vector<FoundPose> poses, std::size_t count) const {
+  // The best poses that differ from each other by a turn or a shift.
+  [[nodiscard]] std::vector<FoundPose> distinct(std::vector<FoundPose> poses, double turn, double shift) const {
     std::stable_sort(poses.begin(), poses.end(),
                      [](const FoundPose& a, const FoundPose& b) { return a.score > b.score; });
     std::vector<FoundPose> kept;
     for (const FoundPose& pose : poses) {
-      if (kept.size() >= count) break;
+      if (kept.size() >= options_.medium) break;
       if (std::none_of(kept.begin(), kept.end(), [&](const FoundPose& other) {
             const PoseDistance d = distanceOf(pose.T_reference_moved, other.T_reference_moved, moved_.centroid());
-            return d.turn < options_.distinctTurn && d.shift < limits_.distinctShift();
+            return d.turn < turn && d.shift < shift;
           }))
         kept.push_back(pose);
     }
@@ -186,8 +212,14 @@ PoseTurn turnBetween(const Pose& from, const Pose& to, const Vec3& centroid) {
 std::vector<FoundPose> searchPoses(const CompositeModel& reference, const CompositeModel& moved,
                                    const PoseSearchOptions& options, const Progress& progress) {
   const Search search(reference, moved, options);
-  const std::vector<CoarsePose> coarse = search.coarse(progress.part(0.0, 0.5, "search"));
-  std::vector<FoundPose> medium = search.medium(coarse, progress.part(0.5, 0.7));
+  std::vector<CoarsePose> coarse = search.coarse(progress.part(0.0, 0.5, "search"));
+  std::vector<FoundPose> medium = search.medium(coarse, progress.part(0.5, 0.6));
+  if (!medium.empty()) {
+    const Pose best = medium.front().T_reference_moved;
+    const std::vector<CoarsePose> turned = search.turnedBy(best, progress.part(0.6, 0.65));
+    coarse.insert(coarse.end(), turned.begin(), turned.end());
+    medium = search.medium(coarse, progress.part(0.65, 0.7));
+  }
   return search.fine(std::move(medium), progress.part(0.7, 1.0));
 }
 

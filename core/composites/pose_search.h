@@ -11,7 +11,7 @@ namespace vantage {
 struct PoseSearchOptions {
   std::size_t starts = 1000;           ///< rotations that are tried, spread evenly over all
   std::size_t coarse = 20;             ///< poses kept of each of the two lists of the coarse search
-  std::size_t medium = 8;              ///< poses kept of the medium search
+  std::size_t medium = 12;             ///< poses kept of the medium search
   double sameTurn = radians(8.0);      ///< coarse poses nearer in turn, and in shift, are one [rad]
   double distinctTurn = radians(2.0);  ///< at the end, those farther apart in turn or shift are two [rad]
 };
