@@ -34,9 +34,10 @@ void check(const Composite& composite) {
 
 }  // namespace
 
-CompositeModel::CompositeModel(Composite composite, const Progress& progress) : composite_(std::move(composite)) {
+CompositeModel::CompositeModel(Composite composite, const Progress& all) : composite_(std::move(composite)) {
   check(composite_);
-  surface_ = std::make_shared<const CompositeSurface>(composite_.model->mesh, progress.part(0.0, 0.1, "prepare"));
+  const Progress progress = all.part(0.0, 1.0, "prepare");
+  surface_ = std::make_shared<const CompositeSurface>(composite_.model->mesh, progress.part(0.0, 0.1));
   std::array<std::vector<std::uint32_t>, kPointLevels> points;
   for (std::size_t level = 0; level < points.size(); ++level) {
     progress.checkpoint(0.1);

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "geometry/measures.h"
-#include "geometry/mesh.h"
 
 namespace vantage {
 namespace {

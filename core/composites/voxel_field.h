@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "base/progress.h"
-#include "geometry/vectors.h"
+#include "geometry/mesh.h"
 #include "scanner/view.h"
 
 namespace vantage {
@@ -26,7 +26,7 @@ class VoxelField {
   /// Index of the point that is nearest to the middle of the cube around p; nothing outside of the field.
   [[nodiscard]] std::optional<std::uint32_t> nearest(const Vec3& p) const {
     const auto cube = cubeOf(p);
-    if (!cube) return std::nullopt;
+    if (!cube || nearest_[*cube] == kNoIndex) return std::nullopt;
     return nearest_[*cube];
   }
 
