@@ -32,7 +32,10 @@ AlignmentJudgement failure(const AlignedPose& best, const AlignmentLimits& limit
     return AlignmentJudgement{AlignmentVerdict::Failed, reason, value, false, {}};
   };
   const PoseEvidence& evidence = best.evidence;
-  const bool bent = best.refinement && best.refinement->tension > verdictLimits.tension;
+  // At a pose that free space speaks against, views part whatever the composites are like.
+  const bool isFree =
+      evidence.contradiction() <= verdictLimits.contradiction && evidence.missing <= verdictLimits.missing;
+  const bool bent = isFree && best.refinement && best.refinement->tension > verdictLimits.tension;
   const bool fits = evidence.rms <= residualLimit(limits);
   if (evidence.overlap < verdictLimits.overlap) return failed(AlignmentReason::TooLittleOverlap, evidence.overlap);
   if (fits) return failed(AlignmentReason::Contradiction, std::max(evidence.contradiction(), evidence.missing));

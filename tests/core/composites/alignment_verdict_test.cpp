@@ -76,6 +76,8 @@ TEST(AlignmentVerdict, FailuresSayWhy) {
   EXPECT_EQ(bent.reason, AlignmentReason::BentComposite);
   EXPECT_EQ(bent.value, 12.0);
   EXPECT_EQ(bent.verdict, AlignmentVerdict::Failed);
+  pose.evidence.conflict = 0.2;
+  EXPECT_EQ(judged({pose}).reason, AlignmentReason::OtherObject);
 }
 
 TEST(AlignmentVerdict, SaysWhenACompositeGaveInTooFar) {
