@@ -15,17 +15,17 @@ namespace {
 namespace fs = std::filesystem;
 
 // The rooms in the order in which data walks through them.
-constexpr std::array<std::string_view, 13> kRooms{"base",        "geometry",    "scanner",     "registration",
-                                                  "calibration", "integration", "void_space",  "positional_space",
-                                                  "planning",    "io",          "acquisition", "session",
-                                                  "report"};
+constexpr std::array<std::string_view, 14> kRooms{
+    "base",       "geometry",         "scanner",  "registration", "calibration", "integration", "composites",
+    "void_space", "positional_space", "planning", "io",           "acquisition", "session",     "report"};
 
 // A header of a heavy dependency, and the only sources of core that may include it.
 struct Door {
   const char* header;
   const char* sources;
 };
-constexpr std::array<Door, 6> kDoors{{{"embree[0-9]*/.*", "geometry/ray_caster\\.cpp"},
+constexpr std::array<Door, 7> kDoors{{{"embree[0-9]*/.*", "geometry/ray_caster\\.cpp"},
+                                      {"libqhull_r/.*", "geometry/convex_hull\\.cpp"},
                                       {"OpenMesh/.*", "geometry/decimation\\.cpp"},
                                       {"assimp/.*", "io/assimp_import\\.cpp"},
                                       {"sqlite3\\.h", "session/database\\.cpp"},

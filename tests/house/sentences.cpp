@@ -12,8 +12,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array<const char*, 5> kResultRooms{"registration", "integration", "void_space", "planning",
-                                                  "acquisition"};
+constexpr std::array<const char*, 6> kResultRooms{"registration", "integration", "composites",
+                                                  "void_space",   "planning",    "acquisition"};
 // Files of these rooms that hold no result: help, groups and bounds of the settings, and what a device that hangs is
 // said to do.
 constexpr std::array<std::string_view, 4> kNoResults{"setting_field.cpp", "setting_lookup.cpp", "settings_table.cpp",
