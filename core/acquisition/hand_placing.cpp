@@ -4,6 +4,8 @@
 #include <cmath>
 #include <optional>
 
+#include "acquisition/scan_placing.h"
+#include "acquisition/stand_composites.h"
 #include "planning/turn_spread.h"
 #include "registration/position_search.h"
 #include "registration/registration_scale.h"
@@ -45,13 +47,6 @@ Pose turnedBy(double angle, const Pose& T_object_scanner, const Pose& T_object_t
   return T_object_table * Eigen::AngleAxisd(angle, Vec3::UnitZ()) * T_object_table.inverse() * T_object_scanner;
 }
 
-// What the table leaves open, with its axis where it is in the object.
-PosePrior aboutTable(const PosePrior& onTable, const Pose& T_object_table) {
-  Mat6 turn = Mat6::Zero();
-  turn.topLeftCorner<3, 3>() = turn.bottomRightCorner<3, 3>() = T_object_table.linear();
-  return {turn * onTable.information * turn.transpose(), T_object_table * onTable.centre};
-}
-
 // Where to look for a scan, and how.
 struct Search {
   std::vector<Pose> poses;
@@ -64,7 +59,7 @@ struct Search {
 Search searchFor(const AcquisitionState& state, const KeptScan& scan, const StepOptions& options) {
   const RangeImage& image = *scan.view.image;
   const int stand = scan.station().stand;
-  const Pose& T_object_table = *state.stands[static_cast<std::size_t>(stand)].T_object_table;
+  const Pose T_object_table = tableOf(state, stand);
   const Mechanics& hand = *image.poseUncertainty;
   Search search;
   const double upTo = std::min(kWidest, kFarthest * hand.angleSigma * std::sqrt(1.0 + looseRun(state, stand)));

@@ -52,10 +52,18 @@ void throwRefusal(const Refusal& refusal) {
     case RefusalReason::NothingToScanWith:
       throw InvalidInput(
           "there is nothing to scan with: the session has no scanner, or no object that a simulated one could look at");
-    case RefusalReason::StandUnknown:
+    case RefusalReason::NothingToAlign:
+      throw InvalidInput("stand " + number + " has no view yet, so there is nothing to align");
+    case RefusalReason::NotAligned:
+      throw InvalidInput("stand " + number + " has not been aligned yet, so there is no pose to choose");
+    case RefusalReason::NoSuchPose:
+      throw InvalidInput("pose " + number + " is none of those that the alignment found");
+    case RefusalReason::PoseContradicted:
+      throw InvalidInput("scans contradict pose " + number + ": it can only be used in spite of that");
+    case RefusalReason::OtherStand:
       break;
   }
-  throw InvalidInput("it is not known how the object stands in stand " + number + ": say that first");
+  throw InvalidInput("scan " + number + " is of a stand that is not aligned with the one that is worked on");
 }
 
 }  // namespace vantage

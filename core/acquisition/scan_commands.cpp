@@ -6,6 +6,7 @@
 #include "acquisition/command_tools.h"
 #include "acquisition/hand_placing.h"
 #include "acquisition/import_scans.h"
+#include "acquisition/stand_composites.h"
 #include "acquisition/step_options.h"
 #include "acquisition/steps.h"
 #include "base/errors.h"
@@ -80,8 +81,9 @@ AcquisitionState LeaveOutView::carriedOut(const AcquisitionState& state, const C
 
 Answer TakeBackView::mayDo(const AcquisitionState& state) const {
   const KeptScan* kept = findScan(state, scan);
-  const bool out = kept != nullptr && kept->status == ScanStatus::LeftOut;
-  return out ? Answer() : Refusal{RefusalReason::NotLeftOut, scan};
+  if (kept == nullptr || kept->status != ScanStatus::LeftOut) return Refusal{RefusalReason::NotLeftOut, scan};
+  const bool inWork = compositeOf(state, kept->station().stand) == compositeInWork(state);
+  return inWork ? Answer() : Refusal{RefusalReason::OtherStand, scan};
 }
 
 AcquisitionState TakeBackView::carriedOut(const AcquisitionState& state, const CommandTools& tools) const {

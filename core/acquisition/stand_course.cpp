@@ -1,0 +1,90 @@
+#include "acquisition/stand_course.h"
+
+#include <algorithm>
+#include <charconv>
+#include <vector>
+
+#include "acquisition/stand_composites.h"
+#include "base/errors.h"
+
+namespace vantage {
+namespace {
+
+// Fewer views have too little surface to be told apart.
+constexpr int kLeastViews = 3;
+// More stands than an object has sides worth showing.
+constexpr int kMostStands = 12;
+// So many stands in a row that found no place say that no other will.
+constexpr int kMostFailures = 2;
+
+bool isKnown(const AcquisitionState& state, int stand) {
+  return compositeOf(state, stand) == kObjectComposite;
+}
+
+// F of the last plan that was made of the object or of a composite of it [mm^2].
+double leastGain(const AcquisitionState& state) {
+  if (state.plan) return state.plan->terminationThreshold;
+  for (auto scan = state.scans.rbegin(); scan != state.scans.rend(); ++scan)
+    if (scan->record.planAfter) return scan->record.planAfter->terminationThreshold;
+  return 0.0;
+}
+
+int failuresInARow(const AcquisitionState& state) {
+  int failures = 0;
+  for (int stand = state.stand(); stand > 0 && !isKnown(state, stand); --stand) ++failures;
+  return failures;
+}
+
+}  // namespace
+
+StandCourse parseStandCourse(const std::string& text) {
+  if (text == "auto") return {};
+  int stands = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), stands);
+  if (error != std::errc() || end != text.data() + text.size() || stands < 1 || stands > 1000)
+    throw InvalidInput("stands \"" + text + "\" are neither auto nor a number from 1 to 1000");
+  return {stands};
+}
+
+std::string name(const StandCourse& course) {
+  return course.stands ? std::to_string(*course.stands) : "auto";
+}
+
+bool mayFindItsPlace(const AcquisitionState& state) {
+  if (isKnown(state, state.stand())) return false;
+  return countScans(state, ScanStatus::In) >= kLeastViews && state.scans.back().status == ScanStatus::In;
+}
+
+bool alignStands(Acquisition& acquisition, bool keepFailures, const Progress& progress) {
+  const int now = acquisition.state()->stand();
+  std::vector<int> open = standsToAlign(*acquisition.state());
+  std::vector<int> failed;
+  std::reverse(open.begin(), open.end());  // the stand of now first
+  while (!open.empty()) {
+    const int stand = open.front();
+    open.erase(open.begin());
+    const auto keep = [&](const AcquisitionState& after) { return keepFailures || isKnown(after, stand); };
+    acquisition.carryOutIf(AlignStand{stand}, keep, progress);
+    if (!isKnown(*acquisition.state(), stand)) {
+      failed.push_back(stand);
+      continue;
+    }
+    open.insert(open.end(), failed.begin(), failed.end());
+    failed.clear();
+  }
+  return isKnown(*acquisition.state(), now);
+}
+
+std::optional<StandAdvice> nextStand(const AcquisitionState& state, const StandCourse& course,
+                                     const Progress& progress) {
+  if (state.termination == Termination::EndedByOperator || state.termination == Termination::Cancelled) return {};
+  if (state.stand() + 1 >= course.stands.value_or(kMostStands)) return {};
+  if (!course.stands && failuresInARow(state) >= kMostFailures) return {};
+  const std::vector<StandAdvice> advice = adviseStands(state, progress);
+  if (advice.empty()) return {};
+  const StandAdvice& best = advice.front();
+  if (!course.stands && (!best.isNew || best.gain <= leastGain(state))) return {};
+  return best;
+}
+
+}  // namespace vantage
