@@ -30,7 +30,7 @@ struct AcquiredModel {
 AcquiredModel loadModel(const std::string& path, CommandContext& context) {
   if (detectFileKind(path) != FileKind::Session)
     return {loadMesh(path, {}, context.progress().part(0.0, 0.1, "read model")).mesh};
-  const auto state = readSession(path, context);
+  const auto state = readObject(path, context);
   if (!state->model) throw InvalidInput(path + ": has no model yet, expected at least one view");
   return {state->model->mesh, {state->settings.simulation.placement, state->settings.simulation.unit}};
 }

@@ -1,27 +1,22 @@
 #pragma once
 
-#include <array>
-#include <optional>
 #include <vector>
 
 #include "acquisition/stand_alignment.h"
 #include "base/progress.h"
 #include "composites/composite.h"
+#include "composites/picked_pairs.h"
 
 namespace vantage {
 
-/// A point that a person picked on both composites, each in its own coordinates [mm].
-struct PickedPair {
-  Vec3 reference = Vec3::Zero();
-  Vec3 moved = Vec3::Zero();
-};
-/// Three or more fix a pose; none: it is searched for.
+/// Three or more fix a pose; none: it is searched for. References are on the object, in its coordinates.
 using PickedPairs = std::vector<PickedPair>;
 
 /// An alignment with the poses that it gives to all views.
 struct AlignedStand {
   StandAlignment alignment;
-  /// T_object_scanner of the views of the object, then of those of the stand, refined together for the best candidate;
+  /// T_object_scanner of the views of the object, then of those of the stand, refined together for the best
+  /// possible candidate;
   /// empty where that was not done.
   std::vector<Pose> poses;
 };
@@ -39,5 +34,8 @@ class StandAligner {
   [[nodiscard]] virtual AlignedStand align(const Composite& object, const Composite& stand, const PickedPairs& picks,
                                            const Progress& progress) const = 0;
 };
+
+/// The one that stands are aligned with unless another is given: alignComposites, or alignPicked with picks.
+[[nodiscard]] const StandAligner& usualStandAligner();
 
 }  // namespace vantage

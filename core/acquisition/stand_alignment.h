@@ -5,33 +5,10 @@
 #include <string_view>
 #include <vector>
 
+#include "composites/alignment_verdict.h"
 #include "geometry/vectors.h"
 
 namespace vantage {
-
-/// Whether a composite was aligned with the object.
-enum class AlignmentVerdict : std::uint8_t {
-  Good,       ///< one pose is possible, and it is held
-  Ambiguous,  ///< several are, or it slides
-  Failed,     ///< none is
-};
-
-/// What a verdict rests on.
-enum class AlignmentReason : std::uint8_t {
-  OnePose,        ///< good: exactly one pose is possible [overlap, share 0..1]
-  Slides,         ///< ambiguous: the surfaces let go of motions [information of the weakest, of 1]
-  SeveralPoses,   ///< ambiguous: so many poses are possible [number]
-  Contradiction,  ///< failed: rays of one went through the surface of the other, or it is below a table [share, 0..1]
-  TooLittleOverlap,  ///< failed: too little surface of one is in the other [overlap, share 0..1]
-  BentComposite,     ///< failed: a composite does not fit itself: its views moved by more than the mechanics [sigmas]
-  OtherObject,       ///< failed: no pose fits, as with another object [residual, mm]
-};
-inline constexpr AlignmentReason kLastAlignmentReason = AlignmentReason::OtherObject;
-
-/// "good", "ambiguous", "failed".
-[[nodiscard]] std::string_view name(AlignmentVerdict verdict);
-/// "one_pose", "slides", "several_poses", "contradiction", "too_little_overlap", "bent_composite", "other_object".
-[[nodiscard]] std::string_view name(AlignmentReason reason);
 
 inline constexpr AlignmentVerdict kLastAlignmentVerdict = AlignmentVerdict::Failed;
 

@@ -8,7 +8,6 @@
 #include "acquisition/stand_merging.h"
 #include "acquisition/step_options.h"
 #include "acquisition/steps.h"
-#include "base/errors.h"
 
 namespace vantage {
 namespace {
@@ -30,8 +29,7 @@ AcquisitionState withAlignment(const AcquisitionState& state, int stand, StandAl
 }
 
 const StandAligner& alignerOf(const CommandTools& tools) {
-  if (tools.input().aligner != nullptr) return *tools.input().aligner;
-  throw InvalidInput("there is nothing to align stands with");
+  return tools.input().aligner != nullptr ? *tools.input().aligner : usualStandAligner();
 }
 
 AlignedStand aligned(const AcquisitionState& state, const AlignStand& command, const CommandTools& tools,
@@ -77,11 +75,14 @@ Answer AlignStand::mayDo(const AcquisitionState& state) const {
 AcquisitionState AlignStand::carriedOut(const AcquisitionState& state, const CommandTools& tools) const {
   const Progress first = tools.firstHalf();
   AlignedStand found = aligned(state, *this, tools, first.part(0.0, 0.7, name(Phase::Register)));
-  const bool isGood = found.alignment.verdict == AlignmentVerdict::Good && !found.alignment.candidates.empty();
-  if (isGood) found.alignment.used = 0;
+  const std::vector<StandPose>& candidates = found.alignment.candidates;
+  const auto best = std::find_if(candidates.begin(), candidates.end(), [](const StandPose& p) { return p.possible; });
+  const bool isGood = found.alignment.verdict == AlignmentVerdict::Good && best != candidates.end();
+  if (isGood) found.alignment.used = static_cast<int>(best - candidates.begin());
   const AcquisitionState next = withAlignment(state, stand, std::move(found.alignment));
   if (!isGood) return next;
-  const StandPose& pose = next.stands[static_cast<std::size_t>(stand)].alignment->candidates.front();
+  const StandAlignment& alignment = *next.stands[static_cast<std::size_t>(stand)].alignment;
+  const StandPose& pose = alignment.candidates[static_cast<std::size_t>(*alignment.used)];
   return tools.replanned(
       mergedStand(next, stand, pose.T_object_stand, found.poses, stepOptionsFor(state), first.part(0.7, 1.0)));
 }

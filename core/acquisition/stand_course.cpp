@@ -35,6 +35,15 @@ int failuresInARow(const AcquisitionState& state) {
   return failures;
 }
 
+// The best pose of a stand where the choice makes no difference, as with a body that is symmetric all over.
+std::optional<int> anyPoseOf(const AcquisitionState& state, int stand) {
+  const auto& alignment = state.stands[static_cast<std::size_t>(stand)].alignment;
+  if (isKnown(state, stand) || !alignment || !alignment->sameSurface) return std::nullopt;
+  for (std::size_t i = 0; i < alignment->candidates.size(); ++i)
+    if (alignment->candidates[i].possible) return static_cast<int>(i);
+  return std::nullopt;
+}
+
 }  // namespace
 
 StandCourse parseStandCourse(const std::string& text) {
@@ -57,19 +66,24 @@ bool mayFindItsPlace(const AcquisitionState& state) {
 
 bool alignStands(Acquisition& acquisition, bool keepFailures, const Progress& progress) {
   const int now = acquisition.state()->stand();
-  std::vector<int> open = standsToAlign(*acquisition.state());
+  std::vector<int> open;
   std::vector<int> failed;
-  std::reverse(open.begin(), open.end());  // the stand of now first
+  for (const int stand : standsToAlign(*acquisition.state()))
+    (stand == now || !acquisition.state()->stands[static_cast<std::size_t>(stand)].alignment ? open : failed)
+        .push_back(stand);
   while (!open.empty()) {
-    const int stand = open.front();
-    open.erase(open.begin());
+    const int stand = open.back();
+    open.pop_back();
     const auto keep = [&](const AcquisitionState& after) { return keepFailures || isKnown(after, stand); };
     acquisition.carryOutIf(AlignStand{stand}, keep, progress);
+    if (const auto pose = anyPoseOf(*acquisition.state(), stand); pose && keepFailures)
+      acquisition.carryOut(ChooseStandPose{stand, *pose}, progress);
     if (!isKnown(*acquisition.state(), stand)) {
       failed.push_back(stand);
       continue;
     }
-    open.insert(open.end(), failed.begin(), failed.end());
+    // There is more of the object to fit them to.
+    open.insert(open.begin(), failed.begin(), failed.end());
     failed.clear();
   }
   return isKnown(*acquisition.state(), now);

@@ -20,7 +20,8 @@ struct StandCourse {
 /// Whether an alignment of the stand of now is worth a try: it is not known yet and has a few views.
 [[nodiscard]] bool mayFindItsPlace(const AcquisitionState& state);
 
-/// Tries to align the stands that are not known yet, and tries again those that failed whenever one did not.
+/// Tries to align the stand of now and those that were never tried, and tries again those that failed whenever one did
+/// not. Where poses leave the same surface, the best is chosen.
 /// @param keepFailures also what came of those that cannot be aligned is recorded
 /// @return whether the stand of now became known
 bool alignStands(Acquisition& acquisition, bool keepFailures, const Progress& progress = {});

@@ -44,10 +44,10 @@ void addStands(const AcquisitionState& state, std::vector<Warning>& warnings) {
   for (int stand = 0; stand <= state.stand(); ++stand) {
     const auto& alignment = state.stands[static_cast<std::size_t>(stand)].alignment;
     const bool known = compositeOf(state, stand) == kObjectComposite;
-    const bool despite = known && alignment && alignment->choice == PoseChoice::Despite;
-    const bool hasScans = std::any_of(state.scans.begin(), state.scans.end(),
-                                      [&](const KeptScan& scan) { return scan.station().stand == stand; });
-    if ((known && !despite) || !hasScans) continue;
+    const bool isWell = known ? !alignment || alignment->choice != PoseChoice::Despite
+                              : std::none_of(state.scans.begin(), state.scans.end(),
+                                             [&](const KeptScan& scan) { return scan.station().stand == stand; });
+    if (isWell) continue;
     warnings.push_back(
         {known ? WarningCode::StandDoubtful : WarningCode::StandNotAligned, {}, {}, {}, {}, stand, alignment});
   }
