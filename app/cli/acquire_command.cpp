@@ -66,6 +66,14 @@ void checkArguments(const AcquireArguments& args, const RigDescription& rig, con
                        ", the workspace has positions 0 to " + std::to_string(profile.workspace.size() - 1));
 }
 
+StandCourse courseFrom(const std::string& text) {
+  try {
+    return parseStandCourse(text);
+  } catch (const InvalidInput& e) {
+    throw CLI::ValidationError("--stands", e.what());
+  }
+}
+
 void run(const AcquireArguments& given, CommandContext& context) {
   AcquireArguments args = given;
   const RigFile file = args.rig.described();
@@ -106,7 +114,7 @@ void addAcquireCommand(CLI::App& app, CommandContext& context) {
                     "Replace the session of that folder; it is kept aside until the new one is whole");
   command
       ->add_option_function<std::string>(
-          "--stands", [args](const std::string& text) { args->course = parseStandCourse(text); },
+          "--stands", [args](const std::string& text) { args->course = courseFrom(text); },
           "Turn the object over by itself, up to so many stands, or until none would show anything more (auto)")
       ->type_name("N|auto");
   args->given.addTo(*command);

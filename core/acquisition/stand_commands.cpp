@@ -61,7 +61,7 @@ Answer PlaceStand::mayDo(const AcquisitionState& state) const {
 }
 
 AcquisitionState PlaceStand::carriedOut(const AcquisitionState& state, const CommandTools& tools) const {
-  return tools.replanned(placeStand(state, stand, T_object_table, stepOptionsFor(state), tools.firstHalf()));
+  return tools.replanned(mergedStand(state, stand, T_object_table, {}, stepOptionsFor(state), tools.firstHalf()));
 }
 
 Answer AlignStand::mayDo(const AcquisitionState& state) const {

@@ -38,6 +38,35 @@ void moveTo(AcquisitionState& state, const std::vector<std::size_t>& ofStand, co
   for (std::size_t i = 0; i < order.size(); ++i) state.scans[order[i]].view.T_object_scanner = poses[i];
 }
 
+// Whether there is more of the object now to look for the place of a scan.
+bool isToPlace(const KeptScan& scan, int stand) {
+  return scan.station().stand == stand && (scan.status == ScanStatus::Waiting || scan.status == ScanStatus::Rejected);
+}
+
+// Looks for the place of the scans of a stand that have none: those that waited, and those that did not fit before.
+void placeOthers(AcquisitionState& state, int stand, const StepOptions& options, const Progress& progress) {
+  const auto count = static_cast<double>(std::count_if(state.scans.begin(), state.scans.end(),
+                                                       [&](const KeptScan& scan) { return isToPlace(scan, stand); }));
+  double done = 0.0;
+  for (KeptScan& scan : state.scans) {
+    if (!isToPlace(scan, stand)) continue;
+    const Progress part = progress.part(done / count, (done + 1.0) / count);
+    done += 1.0;
+    KeptScan placed = scan;
+    placed.view.mesh = std::make_shared<const ViewMesh>(triangulate(*scan.view.image, options.triangulation, part));
+    if (placed.view.mesh->mesh.empty() && scan.status == ScanStatus::Rejected) continue;
+    const FoundPlace place = findPlace(state, placed, options, part.part(0.0, 0.3, name(Phase::Register)));
+    // What was known of one that fits no better stays.
+    if (place.found || scan.status == ScanStatus::Waiting) scan = std::move(placed);
+    if (!place.found) continue;
+    const double before = state.model ? area(state.model->mesh) : 0.0;
+    refineModelViews(state, {}, options, part.part(0.3, 0.5, name(Phase::Register)));
+    state.model = integrateViews(viewsOf(state), options, part.part(0.5, 1.0));
+    scan.record.newArea = std::max(0.0, area(state.model->mesh) - before);
+    scan.record.overlapArea = std::max(0.0, area(scan.view.mesh->mesh) - scan.record.newArea);
+  }
+}
+
 }  // namespace
 
 AcquisitionState mergedStand(const AcquisitionState& state, int stand, const Pose& T_object_table,
@@ -55,35 +84,9 @@ AcquisitionState mergedStand(const AcquisitionState& state, int stand, const Pos
     const Pose& after = next.scans[views.front()].view.T_object_scanner;
     if (after.matrix() != before.matrix())
       next.stands[static_cast<std::size_t>(stand)].T_object_table = after * before.inverse() * T_object_table;
-    next.model = integrateViews(viewsOf(next), options, progress.part(0.4, 1.0));
+    next.model = integrateViews(viewsOf(next), options, progress.part(0.4, 0.7));
   }
-  return withComposite(next, compositeOf(next, next.stand()));
-}
-
-AcquisitionState placeStand(const AcquisitionState& state, int stand, const Pose& T_object_table,
-                            const StepOptions& options, const Progress& progress) {
-  AcquisitionState next = withObject(mergedStand(state, stand, T_object_table, {}, options, progress.part(0.0, 0.5)));
-  const Progress placing = progress.part(0.5, 1.0);
-  const auto waits = [&](const KeptScan& scan) {
-    return scan.status == ScanStatus::Waiting && scan.station().stand == stand;
-  };
-  const auto count = static_cast<double>(std::count_if(next.scans.begin(), next.scans.end(), waits));
-  double done = 0.0;
-  for (KeptScan& scan : next.scans) {
-    if (!waits(scan)) continue;
-    const Progress part = placing.part(done / count, (done + 1.0) / count);
-    done += 1.0;
-    scan.view.mesh = std::make_shared<const ViewMesh>(triangulate(*scan.view.image, options.triangulation, part));
-    KeptScan placed = scan;
-    FoundPlace place = findPlace(next, placed, options, part.part(0.0, 0.3, name(Phase::Register)));
-    const double before = next.model ? area(next.model->mesh) : 0.0;
-    scan = std::move(placed);
-    if (!place.found) continue;
-    refineModelViews(next, {}, options, part.part(0.3, 0.5, name(Phase::Register)));
-    next.model = integrateViews(viewsOf(next), options, part.part(0.5, 1.0));
-    scan.record.newArea = std::max(0.0, area(next.model->mesh) - before);
-    scan.record.overlapArea = std::max(0.0, area(scan.view.mesh->mesh) - scan.record.newArea);
-  }
+  placeOthers(next, stand, options, progress.part(0.7, 1.0));
   return withComposite(next, compositeOf(next, next.stand()));
 }
 
