@@ -4,6 +4,8 @@
 
 #include "acquisition/acquisition.h"
 #include "acquisition/memory_journal.h"
+#include "acquisition/stand_advice.h"
+#include "acquisition/stand_aligner.h"
 #include "acquisition/stand_alignment.h"
 #include "acquisition/stand_composites.h"
 #include "acquisition/stand_course.h"
