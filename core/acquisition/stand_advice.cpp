@@ -43,14 +43,12 @@ Shown shownIn(const PlanningScene& scene, const Pose& T_object_table) {
   return shown;
 }
 
-// The sides that the object stood on, as far as that is known.
+// The sides that the object stood on, and those that it was put on: it may have rolled onto another.
 std::vector<Vec3> sidesBefore(const AcquisitionState& state) {
   std::vector<Vec3> sides;
   for (const Stand& stand : state.stands) {
-    if (stand.T_object_table)
-      sides.emplace_back(-stand.T_object_table->linear().col(2));
-    else if (stand.down)
-      sides.push_back(*stand.down);
+    if (stand.T_object_table) sides.emplace_back(-stand.T_object_table->linear().col(2));
+    if (stand.down) sides.push_back(*stand.down);
   }
   return sides;
 }

@@ -14,7 +14,7 @@ struct StandAdvice {
   double gain = 0.0;    ///< void patches that the workspace shows then, weighted as those of a plan [mm^2]
   double share = 0.0;   ///< of all void patches, 0..1
   double margin = 0.0;  ///< least tilt that makes it fall over [rad]
-  bool isNew = true;    ///< it has not stood on about this side yet
+  bool isNew = true;    ///< it has not stood, nor been put on about this side yet
 };
 
 /// The sides that the object can rest on, by the convex hull of what is known of it, ranked by what of the void next to

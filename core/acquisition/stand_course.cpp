@@ -6,6 +6,7 @@
 
 #include "acquisition/stand_composites.h"
 #include "base/errors.h"
+#include "geometry/measures.h"
 
 namespace vantage {
 namespace {
@@ -14,8 +15,8 @@ namespace {
 constexpr int kLeastViews = 3;
 // More stands than an object has sides worth showing.
 constexpr int kMostStands = 12;
-// So many stands in a row that found no place say that no other will.
-constexpr int kMostFailures = 2;
+// So many stands in a row that came to nothing say that no other will come to more.
+constexpr int kMostUseless = 2;
 
 bool isKnown(const AcquisitionState& state, int stand) {
   return compositeOf(state, stand) == kObjectComposite;
@@ -29,10 +30,25 @@ double leastGain(const AcquisitionState& state) {
   return 0.0;
 }
 
-int failuresInARow(const AcquisitionState& state) {
-  int failures = 0;
-  for (int stand = state.stand(); stand > 0 && !isKnown(state, stand); --stand) ++failures;
-  return failures;
+// The area of the object that no stand before this one had shown [mm^2]. Views come into a model in their order, and
+// every triangle is of the first view that shows it.
+double addedBy(const AcquisitionState& object, int stand) {
+  if (!object.model) return 0.0;
+  const std::vector<const KeptScan*> views = scansOf(object, ScanStatus::In);
+  const Mesh& mesh = object.model->mesh;
+  double added = 0.0;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+    if (views[object.model->triangleView[t]]->station().stand == stand) added += triangleArea(mesh, mesh.triangles[t]);
+  return added;
+}
+
+// The stands up to the one of now that found no place, or added no more to the object than is worth a scan.
+int uselessInARow(const AcquisitionState& state) {
+  const AcquisitionState object = withObject(state);
+  int useless = 0;
+  for (int stand = state.stand(); stand > 0; --stand, ++useless)
+    if (isKnown(state, stand) && addedBy(object, stand) > leastGain(state)) break;
+  return useless;
 }
 
 // The best pose of a stand where the choice makes no difference, as with a body that is symmetric all over.
@@ -93,7 +109,7 @@ std::optional<StandAdvice> nextStand(const AcquisitionState& state, const StandC
                                      const Progress& progress) {
   if (state.termination == Termination::EndedByOperator || state.termination == Termination::Cancelled) return {};
   if (state.stand() + 1 >= course.stands.value_or(kMostStands)) return {};
-  if (!course.stands && failuresInARow(state) >= kMostFailures) return {};
+  if (!course.stands && uselessInARow(state) >= kMostUseless) return {};
   const std::vector<StandAdvice> advice = adviseStands(state, progress);
   if (advice.empty()) return {};
   const StandAdvice& best = advice.front();
