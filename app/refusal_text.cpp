@@ -63,7 +63,7 @@ QString refusalText(const Refusal& refusal) {
     case RefusalReason::NoSuchPose:
       return Text::tr("Pose %1 is none of those that were found.").arg(number);
     case RefusalReason::PoseContradicted:
-      return Text::tr("Scans contradict pose %1.").arg(number);
+      return Text::tr("Something speaks against pose %1.").arg(number);
     case RefusalReason::OtherStand:
       break;
   }

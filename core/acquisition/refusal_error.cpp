@@ -59,7 +59,7 @@ void throwRefusal(const Refusal& refusal) {
     case RefusalReason::NoSuchPose:
       throw InvalidInput("pose " + number + " is none of those that the alignment found");
     case RefusalReason::PoseContradicted:
-      throw InvalidInput("scans contradict pose " + number + ": it can only be used in spite of that");
+      throw InvalidInput("something speaks against pose " + number + ": it can only be used in spite of that");
     case RefusalReason::OtherStand:
       break;
   }
