@@ -58,10 +58,18 @@ QString refusalText(const Refusal& refusal) {
       return Text::tr("There is nothing to scan with: no scanner, or no object for the simulated one.");
     case RefusalReason::FitsNoOtherTurn:
       return Text::tr("Scan %1 was not found to fit another turn of the table.").arg(number);
-    case RefusalReason::StandUnknown:
+    case RefusalReason::NothingToAlign:
+      return Text::tr("Stand %1 has no view yet: there is nothing to align.").arg(number);
+    case RefusalReason::NotAligned:
+      return Text::tr("Stand %1 has not been aligned yet.").arg(number);
+    case RefusalReason::NoSuchPose:
+      return Text::tr("Pose %1 is none of those that were found.").arg(number);
+    case RefusalReason::PoseContradicted:
+      return Text::tr("Something speaks against pose %1.").arg(number);
+    case RefusalReason::OtherStand:
       break;
   }
-  return Text::tr("It must be said first how the object stands.");
+  return Text::tr("Scan %1 is of a stand that is not the one that is worked on.").arg(number);
 }
 
 }  // namespace vantage

@@ -5,6 +5,7 @@
 #include "acquisition/model_colours.h"
 #include "base/atomic_file.h"
 #include "base/errors.h"
+#include "devices/standing_object.h"
 #include "io/mesh_writer.h"
 #include "io/output_file.h"
 #include "report/loss_wording.h"
@@ -24,6 +25,14 @@ QString pageOf(const Session& session, const AcquisitionState& state) {
   if (!noted.empty()) return QString::fromStdString(noted);
   if (state.scans.empty()) return {};
   return state.termination == Termination::Running ? QStringLiteral("acquire") : QStringLiteral("review");
+}
+
+// The set-up with a simulated object that was turned over as the session says.
+SharedSetUp asItStands(const SharedSetUp& setUp, const AcquisitionState& state) {
+  if (state.stand() == 0 || !std::holds_alternative<Simulated>(*setUp->devices)) return setUp;
+  auto turned = std::make_shared<SetUp>(*setUp);
+  turned->devices = withObjectAsItStands(*setUp->devices, state);
+  return turned;
 }
 
 }  // namespace
@@ -235,7 +244,8 @@ void SessionController::scanInBackground(bool untilTheEnd) {
         // Without devices there is nothing that a session could be begun with.
         const auto left = isNew ? std::nullopt : tableLeft(*session);
         RigKeeper::Use use =
-            devices->open(setUp, isNew ? 0 : session->scanCount(), left ? left->stand : TableStand{}, progress);
+            devices->open(isNew ? setUp : asItStands(setUp, *session->state()), isNew ? 0 : session->scanCount(),
+                          left ? left->stand : TableStand{}, progress);
         if (isNew)
           session = createSession(*setUp);
         else if (std::holds_alternative<RealDevices>(*setUp->devices))

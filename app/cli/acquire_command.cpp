@@ -24,6 +24,7 @@ struct AcquireArguments {
   std::string out;
   std::string object;
   bool replace = false;
+  std::optional<StandCourse> course;
   ReadingArguments reading;  ///< of files that come as scans; the unit also of the mesh
   SettingsArguments given;
   AcquisitionSettings settings;  ///< once the devices are known
@@ -50,14 +51,28 @@ Mesh placeObject(const AcquireArguments& args, const ScannerProfile& profile, Co
   return std::move(object.mesh);
 }
 
-void checkArguments(const AcquireArguments& args, bool simulated, const ScannerProfile& profile) {
+void checkArguments(const AcquireArguments& args, const RigDescription& rig, const ScannerProfile& profile) {
+  const bool simulated = isSimulated(rig);
+  const bool byHand = std::holds_alternative<HandTableDevice>(rig.table);
   if (simulated && args.object.empty())
     throw InvalidInput("the simulated scanner needs something to look at: name a mesh with --object");
   if (!simulated && !args.object.empty())
     throw InvalidInput("--object is what the simulated scanner looks at: a real one sees what stands before it");
+  if (args.course && (!simulated || byHand))
+    throw InvalidInput(
+        "--stands is for the simulated scanner and table, whose object turns over by itself: a real one is turned over "
+        "by hand, which 'vantage-cli stand' begins");
   if (args.settings.firstView >= static_cast<int>(profile.workspace.size()))
     throw InvalidInput("--first-view is " + std::to_string(args.settings.firstView) +
                        ", the workspace has positions 0 to " + std::to_string(profile.workspace.size() - 1));
+}
+
+StandCourse courseFrom(const std::string& text) {
+  try {
+    return parseStandCourse(text);
+  } catch (const InvalidInput& e) {
+    throw CLI::ValidationError("--stands", e.what());
+  }
 }
 
 void run(const AcquireArguments& given, CommandContext& context) {
@@ -75,11 +90,11 @@ void run(const AcquireArguments& given, CommandContext& context) {
   const ProfileSource source = profileOf(file.rig);
   tellMemoryNeeded(raysSaidBy(source), args.settings, 0, context);
   const auto profile = std::make_shared<const ScannerProfile>(parseProfile(source));
-  checkArguments(args, simulated, *profile);
+  checkArguments(args, file.rig, *profile);
   std::shared_ptr<const Mesh> object;
   if (simulated) object = std::make_shared<const Mesh>(placeObject(args, *profile, context));
   NewFolder folder(args.out);
-  const DeviceRun with{file.rig, object, args.reading.options(), args.events};
+  const DeviceRun with{file.rig, object, args.reading.options(), args.events, args.course};
   workOnNewSession({session, args.replace, true, {source, args.settings, object.get(), profile}}, context,
                    [&](Session& made) { runDevices(made, with, args.out, context); });
   folder.keep();
@@ -98,6 +113,11 @@ void addAcquireCommand(CLI::App& app, CommandContext& context) {
   command->add_option("--out", args->out, "Folder for session, model and report")->required();
   command->add_flag("--replace", args->replace,
                     "Replace the session of that folder; it is kept aside until the new one is whole");
+  command
+      ->add_option_function<std::string>(
+          "--stands", [args](const std::string& text) { args->course = courseFrom(text); },
+          "Turn the object over by itself, up to so many stands, or until none would show anything more (auto)")
+      ->type_name("N|auto");
   args->given.addTo(*command);
   args->given.addShorthand(*command, "--seed", "simulation.seed");
   args->given.addShorthand(*command, "--ideal", "simulation.ideal");

@@ -73,6 +73,8 @@ void addEvaluateCommand(CLI::App& app, CommandContext& context);
 void addRenderCommand(CLI::App& app, CommandContext& context);
 void addReportCommand(CLI::App& app, CommandContext& context);
 void addCalibrateCommand(CLI::App& app, CommandContext& context);
+void addStandCommand(CLI::App& app, CommandContext& context);
+void addAlignCommand(CLI::App& app, CommandContext& context);
 void addProfileCommand(CLI::App& app, CommandContext& context);
 
 }  // namespace vantage

@@ -6,6 +6,20 @@
 
 namespace vantage {
 
+namespace {
+
+// What a run goes by from stand to stand is remembered for who resumes it.
+constexpr const char* kCourseNote = "stands";
+
+std::optional<StandCourse> courseOf(Session& session, const DeviceRun& with) {
+  if (with.course) session.setNote(kCourseNote, name(*with.course));
+  const std::string text = session.note(kCourseNote);
+  if (text.empty() || !with.object) return std::nullopt;
+  return parseStandCourse(text);
+}
+
+}  // namespace
+
 void runDevices(Session& session, const DeviceRun& with, const std::string& out, CommandContext& context) {
   const SimulationSettings& simulation = session.state()->settings.simulation;
   const TableLeft table = tableLeft(session).value_or(TableLeft{});
@@ -19,7 +33,7 @@ void runDevices(Session& session, const DeviceRun& with, const std::string& out,
     context.note("the table was left in a move from position " + std::to_string(table.stand.position) +
                  " to position " + std::to_string(*table.underWayTo) +
                  ", so it is taken to stand at the first; where it really stands, the next scan that fits will tell");
-  SessionRun(session, out, context).run(devices, byHand || with.events ? &person : nullptr);
+  SessionRun(session, out, context, courseOf(session, with)).run(devices, byHand || with.events ? &person : nullptr);
 }
 
 }  // namespace vantage

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 
+#include "acquisition/stand_course.h"
 #include "cli/command.h"
 #include "devices/rig_description.h"
 #include "geometry/mesh.h"
@@ -17,6 +19,7 @@ struct DeviceRun {
   std::shared_ptr<const Mesh> object;  ///< what simulated ones look at; null for real ones
   ScanReadingOptions reading;          ///< of files that come as scans
   bool events = false;                 ///< a program is told what goes on
+  std::optional<StandCourse> course;   ///< of simulated devices: from stand to stand; nothing: as the session says
 };
 
 /// Runs a session until nothing is left to scan, with the person who turns the table, where one does.

@@ -30,7 +30,7 @@ struct AcquiredModel {
 AcquiredModel loadModel(const std::string& path, CommandContext& context) {
   if (detectFileKind(path) != FileKind::Session)
     return {loadMesh(path, {}, context.progress().part(0.0, 0.1, "read model")).mesh};
-  const auto state = readSession(path, context);
+  const auto state = readObject(path, context);
   if (!state->model) throw InvalidInput(path + ": has no model yet, expected at least one view");
   return {state->model->mesh, {state->settings.simulation.placement, state->settings.simulation.unit}};
 }
@@ -47,14 +47,15 @@ void run(const EvaluateArguments& args, CommandContext& context) {
   const auto counts = modelJson(model.mesh);
   context.result({{"scannable_share", e.scannableShare},
                   {"coverage_of_scannable", e.coverage},
+                  {"coverage_of_whole", e.wholeCoverage},
                   {"rms_mm", e.rms},
                   {"p99_mm", e.percentile99},
                   {"false_surface", e.falseSurface},
                   {"model", counts}},
-                 "scannable: " + number(100.0 * e.scannableShare, 2) +
-                     " % of the surface\ncovered:   " + number(100.0 * e.coverage, 2) +
-                     " % of that\nRMS:       " + number(e.rms, 4) + " mm, 99 % within " + number(e.percentile99, 3) +
-                     " mm\nfalse:     " + number(100.0 * e.falseSurface, 3) +
+                 "scannable: " + number(100.0 * e.scannableShare, 2) + " % of the surface\ncovered:   " +
+                     number(100.0 * e.coverage, 2) + " % of that, " + number(100.0 * e.wholeCoverage, 2) +
+                     " % of the whole surface\nRMS:       " + number(e.rms, 4) + " mm, 99 % within " +
+                     number(e.percentile99, 3) + " mm\nfalse:     " + number(100.0 * e.falseSurface, 3) +
                      " %\nedges:     " + counts["boundary_edges"].dump() + " boundary, " +
                      counts["non_manifold_edges"].dump() + " non-manifold\n");
 }

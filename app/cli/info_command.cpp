@@ -24,6 +24,11 @@ void addSessionFacts(const std::string& path, CommandContext& context, FileInfo&
   info.facts.emplace_back("views", static_cast<std::int64_t>(countScans(outline, ScanStatus::In)));
   info.facts.emplace_back("rejected", static_cast<std::int64_t>(countScans(outline, ScanStatus::Rejected)));
   info.facts.emplace_back("left_out", static_cast<std::int64_t>(countScans(outline, ScanStatus::LeftOut)));
+  info.facts.emplace_back("stands", static_cast<std::int64_t>(outline.stands.size()));
+  info.facts.emplace_back("stands_not_aligned",
+                          std::int64_t{std::count_if(outline.stands.begin(), outline.stands.end(),
+                                                     [](const Stand& stand) { return !stand.T_object_table; })});
+  info.facts.emplace_back("aside", static_cast<std::int64_t>(countScans(outline, ScanStatus::Aside)));
   info.facts.emplace_back("steps", static_cast<std::int64_t>(history.size()));
   info.facts.emplace_back("last_step", describe(history.current().command));
   info.facts.emplace_back("state", std::string(name(outline.termination)));

@@ -45,6 +45,8 @@ int run(int argc, char** argv) {
   vantage::addDevicesCommand(app, context);
   vantage::addCalibrateCommand(app, context);
   vantage::addProfileCommand(app, context);
+  vantage::addStandCommand(app, context);
+  vantage::addAlignCommand(app, context);
   try {
     app.parse(argc, argv);
     return context.warned() ? kDoneBut : kDone;

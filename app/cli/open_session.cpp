@@ -1,5 +1,6 @@
 #include "cli/open_session.h"
 
+#include "acquisition/stand_composites.h"
 #include "base/errors.h"
 #include "report/loss_wording.h"
 
@@ -35,8 +36,12 @@ std::shared_ptr<const AcquisitionState> readSession(const std::string& path, Com
   return state;
 }
 
+std::shared_ptr<const AcquisitionState> readObject(const std::string& path, CommandContext& context) {
+  return std::make_shared<const AcquisitionState>(withObject(*readSession(path, context)));
+}
+
 SessionModel readSessionModel(const std::string& path, CommandContext& context) {
-  const auto state = readSession(path, context);
+  const auto state = readObject(path, context);
   if (!state->model) throw InvalidInput(path + ": has no model yet, expected at least one view");
   return {state->model, worldOffset(outlineOf(*state)), state};
 }

@@ -42,7 +42,7 @@ std::vector<ReportPicture> modelPictures(const std::shared_ptr<const Acquisition
 
 void run(const ReportArguments& args, CommandContext& context) {
   checkOutput(args.out, OutputKind::Report, std::vector{args.session});
-  const auto state = readSession(args.session, context);
+  const auto state = readObject(args.session, context);
   HtmlReportOptions options;
   options.version = VANTAGE_VERSION;
   const PictureApplication application;

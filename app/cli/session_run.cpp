@@ -1,17 +1,17 @@
 #include "cli/session_run.h"
 
-#include <optional>
-#include <set>
+#include <algorithm>
 #include <utility>
 #include <vector>
 
 #include "acquisition/acquisition.h"
 #include "acquisition/hand_placing.h"
 #include "acquisition/other_turn.h"
+#include "acquisition/stand_composites.h"
 #include "base/errors.h"
 #include "cli/cache_directory.h"
 #include "cli/text.h"
-#include "devices/device_factory.h"
+#include "devices/standing_object.h"
 #include "planning/choice.h"
 #include "positional_space/scanner_images_cache.h"
 #include "report/memory_note.h"
@@ -26,6 +26,17 @@ namespace {
 
 // Triangles of a model that is written while somebody waits for the program to end.
 constexpr std::size_t kWrittenAtOnce = 500'000;
+
+bool hasViews(const AcquisitionState& state) {
+  return lastView(state, state.stand()) != nullptr;
+}
+
+// Whether what would come of an alignment is not known of some stand.
+bool isUntried(const AcquisitionState& state) {
+  const std::vector<int> open = standsToAlign(state);
+  return std::any_of(open.begin(), open.end(),
+                     [&](int stand) { return state.stands[static_cast<std::size_t>(stand)].alignment == nullptr; });
+}
 
 bool takesLong(const AcquisitionState& state) {
   return state.model && state.model->mesh.triangles.size() > kWrittenAtOnce;
@@ -106,6 +117,14 @@ std::string lastScanLine(const AcquisitionState& state) {
   }
 }
 
+std::string standLine(const AcquisitionState& state, int stand) {
+  const std::string which = "stand " + std::to_string(stand);
+  const auto& alignment = state.stands[static_cast<std::size_t>(stand)].alignment;
+  if (!alignment) return which + " is not aligned yet";
+  return which + (alignment->used ? " aligned: " : " is not aligned, " + std::string(name(alignment->verdict)) + ": ") +
+         describe(*alignment);
+}
+
 void changeSettings(Session& session, const AcquisitionSettings& settings, CommandContext& context) {
   if (settings == session.state()->settings) return;
   AcquisitionTools tools;
@@ -115,8 +134,12 @@ void changeSettings(Session& session, const AcquisitionSettings& settings, Comma
   Acquisition(session, tools).carryOut(ChangeSettings{settings}, context.progress().part(0.5, 1.0));
 }
 
-SessionRun::SessionRun(Session& session, std::string out, CommandContext& context)
-    : session_(session), results_(std::move(out)), context_(context), last_(session.state()) {}
+SessionRun::SessionRun(Session& session, std::string out, CommandContext& context, std::optional<StandCourse> course)
+    : session_(session),
+      results_(std::move(out)),
+      context_(context),
+      course_(std::move(course)),
+      last_(session.state()) {}
 
 void SessionRun::run(const DeviceSetUp& devices, PersonAtTable* person) {
   try {
@@ -173,36 +196,79 @@ void SessionRun::takeLast(Acquisition& acquisition, PersonAtTable& person) {
 }
 
 void SessionRun::acquireAll(const DeviceSetUp& devices, PersonAtTable* person) {
-  if (last_->termination != Termination::Running) return;
-  const auto profile = session_.profile();
+  if (last_->termination != Termination::Running && !course_) return;
   const auto images = std::make_shared<const ScannerImages>(loadScannerImages(
-      *profile, cacheDirectory(), context_.progress().part(0.0, 1.0, "positional space of the scanner")));
-  // Scans that were taken before have moved a simulated turntable, whatever became of them.
-  Rig rig = DeviceFactory().open(devices, session_.scanCount(), context_.progress());
-  if (std::holds_alternative<RealDevices>(devices)) rig = remarked(rig, session_);
-  if (person != nullptr) rig = person->told(rig);
-  if (const auto unused = session_.unusedScan())
-    context_.note("scan " + std::to_string(unused->number) + " was not yet added: going on with it");
-  Acquisition acquisition(session_, {rig, images}, [&](const Command& command, const auto& /*before*/, const auto&) {
+      *session_.profile(), cacheDirectory(), context_.progress().part(0.0, 1.0, "positional space of the scanner")));
+  do acquireStand(devices, images, person);
+  while (course_ && turnOver(images));
+  if (person != nullptr) person->tell({{"event", "done"}, {"terminated_by", name(last_->termination)}});
+}
+
+Acquisition::StepObserver SessionRun::observer(PersonAtTable* person) {
+  return [this, person](const Command& command, const auto& /*before*/, const auto& /*after*/) {
     last_ = session_.state();
     if (std::holds_alternative<AddScan>(command)) tellLast(person);
-  });
+    if (const auto* align = std::get_if<AlignStand>(&command)) context_.note(standLine(*last_, align->stand));
+    if (const auto* chosen = std::get_if<ChooseStandPose>(&command)) context_.note(standLine(*last_, chosen->stand));
+  };
+}
+
+// Acquires the stand of now to its end, and finds out how the object stands in it.
+void SessionRun::acquireStand(const DeviceSetUp& devices, const SharedImages& images, PersonAtTable* person) {
+  if (last_->termination != Termination::Running && !isUntried(*last_)) return;
+  // Scans that were taken before have moved a simulated turntable, whatever became of them.
+  Rig rig = DeviceFactory().open(withObjectAsItStands(devices, *last_), session_.scanCount(), context_.progress());
+  if (std::holds_alternative<RealDevices>(devices)) rig = remarked(rig, session_);
+  if (person != nullptr) rig = person->told(rig);
+  if (const auto unused = session_.unusedScan(); unused && unused->image->station.stand == last_->stand())
+    context_.note("scan " + std::to_string(unused->number) + " was not yet added: going on with it");
+  Acquisition acquisition(session_, {rig, images}, observer(person));
   std::set<int> skipped;
-  while (last_->termination == Termination::Running) {
-    try {
-      acquisition.runUntilTheEnd(context_.progress());
-    } catch (const PositionSkipped& e) {
-      context_.note(e.what());
-      chooseInstead(acquisition, skipped, context_.progress());
-    } catch (const TakenAsFrom& e) {
-      context_.note(e.what());
-      takeLast(acquisition, *person);
-    } catch (const EndedByPerson& e) {
-      context_.note(e.what());
-      acquisition.carryOut(Finish{Termination::EndedByOperator}, context_.progress());
-    }
+  bool goesOn = true;
+  while (goesOn) {
+    goesOn = goOn(acquisition, skipped, person);
+    if (course_) findPlace(acquisition);
+    goesOn = goesOn && last_->termination == Termination::Running;
   }
-  if (person != nullptr) person->tell({{"event", "done"}, {"terminated_by", name(last_->termination)}});
+}
+
+// Scans until the end, or until a stand that is not known yet may find its place. @return whether the stand shows
+// anything
+bool SessionRun::goOn(Acquisition& acquisition, std::set<int>& skipped, PersonAtTable* person) {
+  try {
+    acquisition.runUntilTheEnd(context_.progress(), [&] { return course_ && mayFindItsPlace(*last_); });
+  } catch (const PositionSkipped& e) {
+    context_.note(e.what());
+    chooseInstead(acquisition, skipped, context_.progress());
+  } catch (const TakenAsFrom& e) {
+    context_.note(e.what());
+    takeLast(acquisition, *person);
+  } catch (const EndedByPerson& e) {
+    context_.note(e.what());
+    acquisition.carryOut(Finish{Termination::EndedByOperator}, context_.progress());
+  } catch (const InvalidInput& e) {
+    // The scanner may see nothing of an object that lies flat.
+    if (!course_ || last_->stand() == 0 || hasViews(*last_)) throw;
+    context_.note("stand " + std::to_string(last_->stand()) + " shows nothing: " + e.what());
+    return false;
+  }
+  return true;
+}
+
+void SessionRun::findPlace(Acquisition& acquisition) {
+  const bool ended = last_->termination != Termination::Running;
+  if (ended ? !isUntried(*last_) : !mayFindItsPlace(*last_)) return;
+  static_cast<void>(alignStands(acquisition, ended, context_.progress()));
+}
+
+// Puts the object on another side. @return whether that is worth while
+bool SessionRun::turnOver(const SharedImages& images) {
+  const auto advice = nextStand(*last_, *course_, context_.progress());
+  if (!advice) return false;
+  Acquisition(session_, {{}, images}, observer(nullptr)).carryOut(TurnObject{{}, advice->down}, context_.progress());
+  context_.note("turned over: stand " + std::to_string(last_->stand()) + " is to show " + number(advice->gain, 0) +
+                " mm2 of void, " + number(100.0 * advice->share, 0) + " % of what is left");
+  return true;
 }
 
 void SessionRun::writeStopped() {
@@ -217,21 +283,23 @@ void SessionRun::writeResults() {
                                               : Progress({}, {}, context_.progress().threads());
   progress.checkpoint(0.0);
   report_ = makeReport(*last_, VANTAGE_VERSION);
-  results_.write(*last_, report_, progress.part(0.3, 1.0));
+  results_.write(withObject(*last_), report_, progress.part(0.3, 1.0));
 }
 
 void SessionRun::announce() {
   const auto& model = report_["model"];
-  std::string text = std::to_string(countScans(*last_, ScanStatus::In)) +
-                     " views, ended: " + std::string(name(last_->termination)) + "\n";
+  std::string text =
+      std::to_string(report_["views"].size()) + " views, ended: " + std::string(name(last_->termination)) + "\n";
   text += "model: " + model["triangles"].dump() + " triangles, " + model["boundary_edges"].dump() +
           " boundary edges, " + number(model["area_mm2"].get<double>(), 0) + " mm2\n";
   for (const auto& r : report_["remaining"])
     text += "left: " + r["edges"].dump() + " edges (" + number(r["length_mm"].get<double>(), 0) + " mm) " +
             r["reason"].get<std::string>() + "\n";
+  if (last_->stand() > 0)
+    for (int stand = 1; stand <= last_->stand(); ++stand) text += standLine(*last_, stand) + "\n";
   text += "written: " + results_.file("model.ply") + ", " + results_.file("model.stl") + ", " +
           results_.file("report.json") + ", " + session_.path() + "\n";
-  context_.result(report_, text, warningsOf(*last_));
+  context_.result(report_, text, warningsOf(withObject(*last_)));
 }
 
 void tellMemoryNeeded(std::size_t rays, const AcquisitionSettings& settings, std::size_t scans,

@@ -29,6 +29,8 @@ QString statusText(const KeptScan& scan) {
       return ReviewPage::tr("left out");
     case ScanStatus::Waiting:
       return ReviewPage::tr("waits");
+    case ScanStatus::Aside:
+      return ReviewPage::tr("of another stand");
     case ScanStatus::In:
       break;
   }

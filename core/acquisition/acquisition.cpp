@@ -42,13 +42,29 @@ std::optional<Refusal> Acquisition::mayRedo() const {
 }
 
 void Acquisition::carryOut(const Command& command, const CommandInput& input, const Progress& progress) {
+  record(command, applyCommand(*state(), command, input, progress));
+}
+
+void Acquisition::record(const Command& command, AcquisitionState after) {
   const std::shared_ptr<const AcquisitionState> before = state();
-  journal_.record(command, applyCommand(*before, command, input, progress));
+  journal_.record(command, std::move(after));
   if (observer_) observer_(command, *before, *state());
 }
 
+CommandInput Acquisition::input() const {
+  return {[this](std::int64_t number) { return journal_.scan(number); }, tools_.images.get(), {}, tools_.aligner.get()};
+}
+
+bool Acquisition::carryOutIf(const Command& command, const std::function<bool(const AcquisitionState& after)>& keep,
+                             const Progress& progress) {
+  AcquisitionState after = applyCommand(*state(), command, input(), progress);
+  if (!keep(after)) return false;
+  record(command, std::move(after));
+  return true;
+}
+
 void Acquisition::carryOut(const Command& command, const Progress& progress) {
-  carryOut(command, {[this](std::int64_t number) { return journal_.scan(number); }, tools_.images.get()}, progress);
+  carryOut(command, input(), progress);
 }
 
 void Acquisition::undo() {
@@ -104,7 +120,8 @@ void Acquisition::scanNext(const Progress& progress) {
   const auto& from = std::get<ScanFrom>(following);
   PhaseTimer timer;
   const NumberedScan scan = takeScan(from.position, timer.watch(progress).part(0.1, 0.2, name(Phase::Scan)));
-  const CommandInput input{[&](std::int64_t /*number*/) { return scan.image; }, tools_.images.get(), timer.finish()};
+  const CommandInput input{[&](std::int64_t /*number*/) { return scan.image; }, tools_.images.get(), timer.finish(),
+                           tools_.aligner.get()};
   carryOut(AddScan{scan.number, from.predicted}, input, progress.part(0.2, 1.0));
   // The next position is gone to from where the table really stands.
   if (const auto slip = slipOfLastScan(*state())) tools_.rig->positioner->standsFarther(*slip);
@@ -113,7 +130,6 @@ void Acquisition::scanNext(const Progress& progress) {
 Termination Acquisition::runUntilTheEnd(const Progress& progress, const std::function<bool()>& pause) {
   while (state()->termination == Termination::Running) {
     const NextScan following = next();
-    if (std::holds_alternative<PlaceFirst>(following)) break;
     if (std::holds_alternative<PlanFirst>(following)) {
       planFirst(stepProgress(*state(), progress));
     } else if (const auto* ended = std::get_if<Ended>(&following)) {

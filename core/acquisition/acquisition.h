@@ -17,8 +17,9 @@ namespace vantage {
 
 /// What an acquisition scans and plans with.
 struct AcquisitionTools {
-  std::optional<Rig> rig;                       ///< open; nothing: nothing is scanned, all else can be done
-  std::shared_ptr<const ScannerImages> images;  ///< of the profile; null: nothing is planned
+  std::optional<Rig> rig;                            ///< open; nothing: nothing is scanned, all else can be done
+  std::shared_ptr<const ScannerImages> images;       ///< of the profile; null: nothing is planned
+  std::shared_ptr<const StandAligner> aligner = {};  ///< null: stands are aligned as always
 };
 
 /// An acquisition: carries out commands, keeps them with what they led to in its journal, scans, plans. Nobody else
@@ -46,6 +47,9 @@ class Acquisition {
 
   /// Carries out a command and records it. @throws InvalidInput when it may not be done; IoError, Cancelled
   void carryOut(const Command& command, const Progress& progress = {});
+  /// Carries it out, but records it only if `keep` wants the state that it leads to. @return whether it did
+  bool carryOutIf(const Command& command, const std::function<bool(const AcquisitionState& after)>& keep,
+                  const Progress& progress = {});
   void undo();
   void redo();
 
@@ -69,7 +73,9 @@ class Acquisition {
  private:
   void planFirst(const Progress& progress);
   [[nodiscard]] NumberedScan takeScan(int position, const Progress& progress);
+  [[nodiscard]] CommandInput input() const;
   void carryOut(const Command& command, const CommandInput& input, const Progress& progress);
+  void record(const Command& command, AcquisitionState after);
 
   Journal& journal_;
   AcquisitionTools tools_;

@@ -63,7 +63,8 @@ const KeptScan* findScan(const AcquisitionState& state, std::int64_t number) {
 }
 
 Pose poseOf(const AcquisitionState& state, int position) {
-  return *state.stands.back().T_object_table * state.profile->workspace.poses[static_cast<std::size_t>(position)];
+  return state.stands.back().T_object_table.value_or(Pose::Identity()) *
+         state.profile->workspace.poses[static_cast<std::size_t>(position)];
 }
 
 }  // namespace vantage

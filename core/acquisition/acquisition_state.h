@@ -37,6 +37,12 @@ inline constexpr Mode kLastMode = Mode::Assisted;
 /// "automatic", "assisted".
 [[nodiscard]] std::string_view name(Mode mode);
 
+/// The model of a composite that is not in work, see acquisition/stand_composites.h.
+struct ModelAside {
+  int composite = 0;
+  std::shared_ptr<const Model> model;
+};
+
 /// Everything known at one moment of an acquisition. Commands make a new state; old ones share what did not change.
 struct AcquisitionState {
   std::shared_ptr<const ScannerProfile> profile;  ///< null for recorded scans without one
@@ -45,6 +51,7 @@ struct AcquisitionState {
   std::vector<Stand> stands{{Pose::Identity()}};  ///< in the order in which the object was turned over; never empty
   std::vector<KeptScan> scans;                    ///< in the order in which they were added
   std::shared_ptr<const Model> model;             ///< of the scans that are in; null before the first one
+  std::vector<ModelAside> aside;                  ///< of the scans that are aside, one per composite, in its order
   std::shared_ptr<const Plan> plan;               ///< for the stand of now; null without one
   std::optional<int> chosenPosition;              ///< where the operator wants the next scan from, else as proposed
   Termination termination = Termination::Running;
@@ -66,8 +73,8 @@ struct AcquisitionState {
 /// The scan of that number; null when the state has none.
 [[nodiscard]] const KeptScan* findScan(const AcquisitionState& state, std::int64_t number);
 
-/// The pose of a position of the workspace as the object stands now, T_object_scanner.
-/// @pre the stand's pose is known, the profile has the position
+/// The pose of a position of the workspace as the object stands now, T_object_scanner. The object's frame is that of
+/// the table as long as nobody knows how it was turned over. @pre the profile has the position
 [[nodiscard]] Pose poseOf(const AcquisitionState& state, int position);
 
 }  // namespace vantage

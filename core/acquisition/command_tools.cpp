@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "acquisition/next_scan.h"
+#include "acquisition/stand_composites.h"
 #include "acquisition/step_options.h"
 #include "acquisition/steps.h"
 
@@ -11,7 +12,8 @@ namespace vantage {
 AcquisitionState CommandTools::planned(AcquisitionState next, const Progress& progress) const {
   next.plan = nullptr;
   const bool needed = next.settings.strategy.kind == Strategy::Kind::PositionalSpace;
-  const bool possible = input_.images != nullptr && next.profile && next.model && next.stands.back().T_object_table;
+  const bool possible = input_.images != nullptr && next.profile && next.model &&
+                        compositeInWork(next) == compositeOf(next, next.stand());
   if (needed && possible)
     next.plan = std::make_shared<const Plan>(planAfter(next, *input_.images, stepOptionsFor(next), progress));
   return next;

@@ -5,6 +5,7 @@
 
 #include "acquisition/acquisition_state.h"
 #include "acquisition/phase_times.h"
+#include "acquisition/stand_aligner.h"
 #include "base/progress.h"
 #include "positional_space/scanner_images.h"
 
@@ -16,6 +17,7 @@ struct CommandInput {
   std::function<std::shared_ptr<const RangeImage>(std::int64_t)> scan;
   const ScannerImages* images = nullptr;  ///< of the state's profile; without them no plan is made
   PhaseTimes before = {};                 ///< what was spent on the command before it came here, for the record
+  const StandAligner* aligner = nullptr;  ///< null: stands are aligned as always
 };
 
 /// The input with the ends that commands share: a plan for what became of the state, and whether something comes next.

@@ -5,6 +5,8 @@
 #include <optional>
 
 #include "acquisition/prepared_scans.h"
+#include "acquisition/scan_placing.h"
+#include "acquisition/stand_composites.h"
 #include "planning/turn_spread.h"
 #include "registration/position_search.h"
 #include "registration/registration_scale.h"
@@ -46,7 +48,7 @@ struct Search {
 Search searchFor(const AcquisitionState& state, const KeptScan& scan, const StepOptions& options) {
   const RangeImage& image = *scan.view.image;
   const int stand = scan.station().stand;
-  const Pose& T_object_table = *state.stands[static_cast<std::size_t>(stand)].T_object_table;
+  const Pose T_object_table = tableOf(state, stand);
   const Mechanics& hand = *image.poseUncertainty;
   Search search;
   const double upTo = std::min(kWidest, kFarthest * hand.angleSigma * std::sqrt(1.0 + looseRun(state, stand)));
@@ -109,12 +111,6 @@ std::vector<View> firmViews(const AcquisitionState& state) {
 
 Pose turnedBy(double angle, const Pose& T_object_scanner, const Pose& T_object_table) {
   return T_object_table * Eigen::AngleAxisd(angle, Vec3::UnitZ()) * T_object_table.inverse() * T_object_scanner;
-}
-
-PosePrior aboutTable(const PosePrior& onTable, const Pose& T_object_table) {
-  Mat6 turn = Mat6::Zero();
-  turn.topLeftCorner<3, 3>() = turn.bottomRightCorner<3, 3>() = T_object_table.linear();
-  return {turn * onTable.information * turn.transpose(), T_object_table * onTable.centre};
 }
 
 RegistrationTarget targetOf(const AcquisitionState& state) {

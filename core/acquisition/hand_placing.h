@@ -6,7 +6,6 @@
 #include "acquisition/acquisition_state.h"
 #include "acquisition/step_options.h"
 #include "base/progress.h"
-#include "registration/pose_prior.h"
 #include "registration/registration_target.h"
 
 namespace vantage {
@@ -31,9 +30,6 @@ namespace vantage {
 
 /// A pose of the scanner turned about the axis of the table [rad], counter-clockwise seen from above.
 [[nodiscard]] Pose turnedBy(double angle, const Pose& T_object_scanner, const Pose& T_object_table);
-
-/// What a table leaves open, with its axis where it is in the object.
-[[nodiscard]] PosePrior aboutTable(const PosePrior& onTable, const Pose& T_object_table);
 
 /// Registers a scan whose table a person turned, about as far as they were asked: first coarse, then fine, with the
 /// views whose place is known, else with the whole model; then it is doubtful at best.

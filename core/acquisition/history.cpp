@@ -8,7 +8,8 @@
 namespace vantage {
 
 StateOutline outlineOf(const AcquisitionState& state) {
-  StateOutline outline{state.settings, state.mode, state.stands, {}, state.chosenPosition, state.termination, 0, 0};
+  StateOutline outline{state.settings, state.mode, state.stands, {}, {}, state.chosenPosition, state.termination, 0, 0};
+  for (const ModelAside& model : state.aside) outline.aside.push_back({model.composite, 0});
   for (const KeptScan& scan : state.scans) {
     auto record = std::make_shared<ScanRecord>(scan.record);
     record->planAfter = nullptr;

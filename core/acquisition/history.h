@@ -21,12 +21,21 @@ struct OutlinedScan {
   std::int64_t planStep = 0;                 ///< the step that made the plan after it; 0 without one
 };
 
+/// The model of a composite that is not in work, without the model.
+struct OutlinedModel {
+  int composite = 0;
+  std::int64_t step = 0;  ///< that made it
+
+  bool operator==(const OutlinedModel&) const = default;
+};
+
 /// A state without its large parts: what a time line, a list of scans or a report of counts needs.
 struct StateOutline {
   AcquisitionSettings settings;
   Mode mode = Mode::Automatic;
   std::vector<Stand> stands;
   std::vector<OutlinedScan> scans;
+  std::vector<OutlinedModel> aside;
   std::optional<int> chosenPosition;
   Termination termination = Termination::Running;
   std::int64_t modelStep = 0;  ///< the step that made the model; 0 without one

@@ -13,9 +13,11 @@ std::string_view name(ScanStatus status) {
     case ScanStatus::LeftOut:
       return "left_out";
     case ScanStatus::Waiting:
+      return "waiting";
+    case ScanStatus::Aside:
       break;
   }
-  return "waiting";
+  return "aside";
 }
 
 std::shared_ptr<const RayGrid> raysOfLast(const std::vector<KeptScan>& scans) {

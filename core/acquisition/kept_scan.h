@@ -21,10 +21,11 @@ enum class ScanStatus : std::uint8_t {
   In,        ///< a view of the model
   Rejected,  ///< it did not find its place
   LeftOut,   ///< a view that the operator took out of the model
-  Waiting,   ///< of a stand whose pose is not known yet
+  Waiting,   ///< of a stand that is not worked on: nothing was made of it yet
+  Aside,     ///< a view of another composite than the one in work
 };
-inline constexpr ScanStatus kLastScanStatus = ScanStatus::Waiting;
-/// "in", "rejected", "left_out", "waiting".
+inline constexpr ScanStatus kLastScanStatus = ScanStatus::Aside;
+/// "in", "rejected", "left_out", "waiting", "aside".
 [[nodiscard]] std::string_view name(ScanStatus status);
 
 /// What one scan brought.
@@ -46,8 +47,8 @@ struct ScanRecord {
 struct KeptScan {
   std::int64_t number = 0;  ///< in its session: commands name a scan by it
   ScanStatus status = ScanStatus::In;
-  /// The image without what was cut and thinned out and, for views and what was left out, its mesh and its place. Of
-  /// other scans the mesh is null and the place what was expected. The journal has the image as it came.
+  /// The image without what was cut and thinned out and, for views, those aside and what was left out, its mesh and its
+  /// place. Of other scans the mesh is null and the place what was expected. The journal has the image as it came.
   View view;
   ScanRecord record;
   /// The view as registration works with it; nothing before that was needed, see `prepareScans`.

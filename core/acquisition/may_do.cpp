@@ -11,7 +11,6 @@ std::optional<Refusal> mayDo(const AcquisitionState& state, const Command& comma
 std::optional<Refusal> mayScan(const AcquisitionState& state) {
   if (!state.profile) return Refusal{RefusalReason::NoProfile, {}};
   const NextScan next = nextScan(state);
-  if (std::holds_alternative<PlaceFirst>(next)) return Refusal{RefusalReason::StandUnknown, state.stand()};
   switch (terminationOf(next)) {
     case Termination::Running:
       return {};

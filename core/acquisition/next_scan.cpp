@@ -8,6 +8,7 @@
 
 #include "acquisition/hand_placing.h"
 #include "acquisition/other_turn.h"
+#include "acquisition/stand_composites.h"
 #include "base/random.h"
 #include "planning/choice.h"
 #include "scanner/table_turn.h"
@@ -31,11 +32,16 @@ std::vector<int> randomOrder(std::size_t count, int first, std::uint64_t seed) {
   return order;
 }
 
+int viewsInStand(const AcquisitionState& state) {
+  return static_cast<int>(std::count_if(state.scans.begin(), state.scans.end(), [&](const KeptScan& scan) {
+    return scan.status == ScanStatus::In && scan.station().stand == state.stand();
+  }));
+}
+
 NextScan fromPlan(const Plan& plan, const AcquisitionState& state) {
   if (plan.outcome == PlanOutcome::Finished) return Ended{Termination::Finished};
   if (plan.outcome == PlanOutcome::NoOverlap) return Ended{Termination::NoOverlap};
-  if (static_cast<int>(countScans(state, ScanStatus::In)) >= state.settings.maxViews)
-    return Ended{Termination::MaxViews};
+  if (viewsInStand(state) >= state.settings.maxViews) return Ended{Termination::MaxViews};
   const int position = plan.position.value();
   return ScanFrom{position, plan.scores[static_cast<std::size_t>(position)]};
 }
@@ -148,6 +154,11 @@ bool scannedInStand(const AcquisitionState& state) {
   });
 }
 
+// Whether nothing is there to plan from: no other stand is known relative to the one of now.
+bool isFirstOfComposite(const AcquisitionState& state) {
+  return state.stand() == 0 || compositeOf(state, state.stand()) != kObjectComposite;
+}
+
 }  // namespace
 
 NextScan nextScan(const AcquisitionState& state) {
@@ -160,9 +171,7 @@ NextScan nextScan(const AcquisitionState& state) {
   }
   if (state.termination == Termination::EndedByOperator || state.termination == Termination::Imported)
     return Ended{state.termination};
-  const bool placed = state.stands.back().T_object_table.has_value();
-  if (!scannedInStand(state) && (!placed || state.stand() == 0)) return ScanFrom{state.settings.firstView};
-  if (!placed) return PlaceFirst{};
+  if (!scannedInStand(state) && isFirstOfComposite(state)) return ScanFrom{state.settings.firstView};
   if (const auto failures = failuresInARow(state); !failures.empty()) return afterFailures(state, failures);
   if (state.plan) return fromPlan(*state.plan, state);
   if (state.settings.strategy.kind == Strategy::Kind::PositionalSpace) return PlanFirst{};

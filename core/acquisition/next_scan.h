@@ -16,21 +16,19 @@ struct ScanFrom {
 /// A plan must be made before it is known.
 struct PlanFirst {};
 
-/// It must be said first how the object stands (see PlaceStand).
-struct PlaceFirst {};
-
 /// Nothing is scanned any more.
 struct Ended {
   Termination termination = Termination::Finished;
 };
 
 /// What comes next.
-using NextScan = std::variant<ScanFrom, PlanFirst, PlaceFirst, Ended>;
+using NextScan = std::variant<ScanFrom, PlanFirst, Ended>;
 
 /// What comes after a state: the position that the operator chose, else the end that he wanted, else the plan's
 /// position, else the strategy's. After a registration that failed, the best position with clearly more overlap; after
 /// four failures in a row the acquisition ends. Stands do not count for each other: neither positions taken nor
-/// failures. Depends on the state only, so that an interrupted run goes on as it would have.
+/// failures, nor towards the greatest number of views. Depends on the state only, so that an interrupted run goes on as
+/// it would have.
 [[nodiscard]] NextScan nextScan(const AcquisitionState& state);
 
 /// The position of the next scan; nothing when there is none, or none yet.

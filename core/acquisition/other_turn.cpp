@@ -6,6 +6,8 @@
 #include <utility>
 
 #include "acquisition/hand_placing.h"
+#include "acquisition/scan_placing.h"
+#include "acquisition/stand_composites.h"
 #include "base/errors.h"
 #include "registration/position_search.h"
 #include "registration/registration_target.h"
@@ -25,8 +27,8 @@ constexpr double kAxisSigma = 0.3;
 // All around there are more candidates than around one place.
 constexpr std::size_t kTried = 12;
 
-const Pose& standPose(const AcquisitionState& state, const KeptScan& scan) {
-  return *state.stands[static_cast<std::size_t>(scan.station().stand)].T_object_table;
+Pose standPose(const AcquisitionState& state, const KeptScan& scan) {
+  return tableOf(state, scan.station().stand);
 }
 
 double differenceDeg(double a, double b) {
@@ -186,7 +188,7 @@ std::optional<int> positionTaken(const AcquisitionState& state, const KeptScan& 
 }
 
 Pose poseAtTurn(const AcquisitionState& state, const KeptScan& scan, double tableDeg) {
-  const Pose& T_object_table = standPose(state, scan);
+  const Pose T_object_table = standPose(state, scan);
   const Finding& finding = scan.record.registration.finding;
   if (finding.reason == VerdictReason::OtherPosition)
     return T_object_table * state.profile->workspace.poses[static_cast<std::size_t>(*finding.value)];
@@ -198,7 +200,7 @@ Pose poseAtTurn(const AcquisitionState& state, const KeptScan& scan, double tabl
 void placeAtTurn(const AcquisitionState& state, KeptScan& scan, double tableDeg, const StepOptions& options,
                  const Progress& progress) {
   const Pose there = poseAtTurn(state, scan, tableDeg);
-  const Pose& T_object_table = standPose(state, scan);
+  const Pose T_object_table = standPose(state, scan);
   const std::vector<Pose> around{there, turnedBy(0.5 * kReach, there, T_object_table),
                                  turnedBy(-0.5 * kReach, there, T_object_table)};
   const auto places = goodPlaces(state, scan, around, options, progress);

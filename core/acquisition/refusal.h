@@ -29,10 +29,14 @@ enum class RefusalReason : std::uint8_t {
   NothingToUndo,
   NothingToRedo,
   NothingToScanWith,  ///< the session has no devices: no scanner, or nothing that it could look at
-  StandUnknown,       ///< it must be said first how the object stands
   FitsNoOtherTurn,    ///< number: the scan, of which it is not known that it fits that turn of the table
+  NothingToAlign,     ///< number: the stand, which has no view yet
+  NotAligned,         ///< number: the stand, of which no alignment was tried yet
+  NoSuchPose,         ///< number: the pose, which is none of those that were found
+  PoseContradicted,   ///< number: the pose, which something speaks against
+  OtherStand,         ///< number: the scan, whose stand is not the one that is worked on
 };
-inline constexpr RefusalReason kLastRefusalReason = RefusalReason::FitsNoOtherTurn;
+inline constexpr RefusalReason kLastRefusalReason = RefusalReason::OtherStand;
 /// A code: "no_profile", "no_such_position", ...
 [[nodiscard]] std::string_view name(RefusalReason reason);
 

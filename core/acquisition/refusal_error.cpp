@@ -56,10 +56,18 @@ void throwRefusal(const Refusal& refusal) {
       throw InvalidInput("scan " + number +
                          " cannot be taken as from another turn of the table: only a scan that was refused can, and "
                          "only from a turn that it was found to fit");
-    case RefusalReason::StandUnknown:
+    case RefusalReason::NothingToAlign:
+      throw InvalidInput("stand " + number + " has no view yet, so there is nothing to align");
+    case RefusalReason::NotAligned:
+      throw InvalidInput("stand " + number + " has not been aligned yet, so there is no pose to choose");
+    case RefusalReason::NoSuchPose:
+      throw InvalidInput("pose " + number + " is none of those that the alignment found");
+    case RefusalReason::PoseContradicted:
+      throw InvalidInput("something speaks against pose " + number + ": it can only be used in spite of that");
+    case RefusalReason::OtherStand:
       break;
   }
-  throw InvalidInput("it is not known how the object stands in stand " + number + ": say that first");
+  throw InvalidInput("scan " + number + " is of a stand that is not aligned with the one that is worked on");
 }
 
 }  // namespace vantage

@@ -7,6 +7,7 @@
 #include "acquisition/hand_placing.h"
 #include "acquisition/import_scans.h"
 #include "acquisition/other_turn.h"
+#include "acquisition/stand_composites.h"
 #include "acquisition/step_options.h"
 #include "acquisition/steps.h"
 #include "base/errors.h"
@@ -40,7 +41,7 @@ void nameOtherTurns(AcquisitionState& state, const Progress& progress) {
     if (scan.status != ScanStatus::Rejected || !scan.station().position || scan.view.image->sampleCount() == 0)
       continue;
     KeptScan again = scan;
-    again.view.T_object_scanner = *state.stands.back().T_object_table * scan.view.image->T_table_scanner;
+    again.view.T_object_scanner = tableOf(state, scan.station().stand) * scan.view.image->T_table_scanner;
     again.view.mesh = std::make_shared<const ViewMesh>(triangulate(*scan.view.image, options.triangulation, progress));
     if (again.view.mesh->mesh.empty()) continue;
     if (auto elsewhere = otherTurnOf(state, again, options, progress))
@@ -99,8 +100,9 @@ AcquisitionState LeaveOutView::carriedOut(const AcquisitionState& state, const C
 
 Answer TakeBackView::mayDo(const AcquisitionState& state) const {
   const KeptScan* kept = findScan(state, scan);
-  const bool out = kept != nullptr && kept->status == ScanStatus::LeftOut;
-  return out ? Answer() : Refusal{RefusalReason::NotLeftOut, scan};
+  if (kept == nullptr || kept->status != ScanStatus::LeftOut) return Refusal{RefusalReason::NotLeftOut, scan};
+  const bool inWork = compositeOf(state, kept->station().stand) == compositeInWork(state);
+  return inWork ? Answer() : Refusal{RefusalReason::OtherStand, scan};
 }
 
 AcquisitionState TakeBackView::carriedOut(const AcquisitionState& state, const CommandTools& tools) const {
@@ -111,7 +113,8 @@ Answer TakeAsFrom::mayDo(const AcquisitionState& state) const {
   if (!state.profile) return Refusal{RefusalReason::NoProfile, {}};
   const KeptScan* kept = findScan(state, scan);
   if (kept == nullptr || !fitsTurn(state, *kept, tableDeg)) return Refusal{RefusalReason::FitsNoOtherTurn, scan};
-  return {};
+  const bool inWork = compositeOf(state, kept->station().stand) == compositeInWork(state);
+  return inWork ? Answer() : Refusal{RefusalReason::OtherStand, scan};
 }
 
 AcquisitionState TakeAsFrom::carriedOut(const AcquisitionState& state, const CommandTools& tools) const {

@@ -9,6 +9,7 @@
 #include "acquisition/hand_placing.h"
 #include "acquisition/other_turn.h"
 #include "acquisition/prepared_scans.h"
+#include "acquisition/stand_composites.h"
 #include "acquisition/steps.h"
 #include "registration/position_search.h"
 #include "registration/registration_target.h"
@@ -45,8 +46,10 @@ RegistrationResult registerWithModel(const AcquisitionState& state, const KeptSc
   const RegistrationTarget target(state.model->mesh, state.model->confidence);
   progress.checkpoint(0.0);
   IcpOptions registration = options.registration;
-  if (const KeptScan* last = lastWhereSaid(state, scan.station().stand))
+  if (const KeptScan* last = lastWhereSaid(state, scan.station().stand)) {
     registration.prior = priorOf(options, *last, scan);
+    if (registration.prior) registration.prior = aboutTable(*registration.prior, tableOf(state, scan.station().stand));
+  }
   const std::vector<PreparedView> prepared = preparedViews({&scan}, progress);
   return registerView(prepared.front().surface, view.T_object_scanner, target, registration, progress);
 }
@@ -165,10 +168,31 @@ std::optional<PosePrior> priorOf(const StepOptions& options, const KeptScan& fro
   return turntablePrior(*mechanics, static_cast<int>(moves));
 }
 
+PosePrior aboutTable(const PosePrior& onTable, const Pose& T_object_table) {
+  if (T_object_table.matrix() == Pose::Identity().matrix()) return onTable;
+  Mat6 turn = Mat6::Zero();
+  turn.topLeftCorner<3, 3>() = turn.bottomRightCorner<3, 3>() = T_object_table.linear();
+  return {turn * onTable.information * turn.transpose(), T_object_table * onTable.centre};
+}
+
+std::vector<PoseTie> tiesOf(const AcquisitionState& state, const StepOptions& options) {
+  std::vector<PoseTie> ties;
+  const std::vector<const KeptScan*> scans = scansOf(state, ScanStatus::In);
+  for (std::size_t i = 1; i < scans.size(); ++i) {
+    const int stand = scans[i]->station().stand;
+    if (scans[i - 1]->station().stand != stand) continue;
+    if (scans[i]->record.registration.finding.reason == VerdictReason::TableSlipped) continue;
+    if (takenElsewhere(*scans[i - 1]) || takenElsewhere(*scans[i])) continue;
+    const Pose T_from_to = scans[i - 1]->view.image->T_table_scanner.inverse() * scans[i]->view.image->T_table_scanner;
+    if (const auto prior = priorOf(options, *scans[i - 1], *scans[i]))
+      ties.push_back({i - 1, i, T_from_to, aboutTable(*prior, tableOf(state, stand))});
+  }
+  return ties;
+}
+
 Pose expectedPose(const AcquisitionState& state, const RangeImage& image) {
   const KeptScan* last = lastWhereSaid(state, image.station.stand);
-  if (last == nullptr)
-    return *state.stands[static_cast<std::size_t>(image.station.stand)].T_object_table * image.T_table_scanner;
+  if (last == nullptr) return tableOf(state, image.station.stand) * image.T_table_scanner;
   return last->view.T_object_scanner * last->view.image->T_table_scanner.inverse() * image.T_table_scanner;
 }
 

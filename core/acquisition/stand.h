@@ -1,7 +1,9 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 
+#include "acquisition/stand_alignment.h"
 #include "geometry/vectors.h"
 
 namespace vantage {
@@ -9,6 +11,10 @@ namespace vantage {
 /// One way in which the object stands on the table. The object's frame is that of the table in the first stand.
 struct Stand {
   std::optional<Pose> T_object_table;  ///< nothing as long as nobody knows how the object was turned over
+  /// The side that it was to be put on: the unit vector that points down, object coordinates; nothing where none was
+  /// advised.
+  std::optional<Vec3> down = {};
+  std::shared_ptr<const StandAlignment> alignment = nullptr;  ///< the last one; null before it and for the first stand
 };
 
 }  // namespace vantage

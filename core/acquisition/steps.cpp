@@ -8,6 +8,7 @@
 #include "acquisition/other_turn.h"
 #include "acquisition/prepared_scans.h"
 #include "acquisition/scan_placing.h"
+#include "acquisition/stand_composites.h"
 #include "base/errors.h"
 #include "geometry/measures.h"
 #include "integration/zipper.h"
@@ -16,20 +17,6 @@
 
 namespace vantage {
 namespace {
-
-// What the mechanics know of the motions between views that follow each other in one stand. Between stands the object
-// was moved by hand.
-std::vector<PoseTie> tiesOf(const std::vector<const KeptScan*>& scans, const StepOptions& options) {
-  std::vector<PoseTie> ties;
-  for (std::size_t i = 1; i < scans.size(); ++i) {
-    if (scans[i - 1]->station().stand != scans[i]->station().stand) continue;
-    if (scans[i]->record.registration.finding.reason == VerdictReason::TableSlipped) continue;
-    if (takenElsewhere(*scans[i - 1]) || takenElsewhere(*scans[i])) continue;
-    const Pose T_from_to = scans[i - 1]->view.image->T_table_scanner.inverse() * scans[i]->view.image->T_table_scanner;
-    if (const auto prior = priorOf(options, *scans[i - 1], *scans[i])) ties.push_back({i - 1, i, T_from_to, *prior});
-  }
-  return ties;
-}
 
 // What later scans may settle: where nothing spoke against the pose, and the mechanics alone for it.
 bool waitsForMore(const RegistrationResult& registration) {
@@ -48,29 +35,19 @@ void liftDoubt(KeptScan& scan, const ViewSurface& surface, double poseSigma, con
   registration.poseSigma = poseSigma;
 }
 
-// Moves the views to where all of them and the mechanics agree best.
-void refine(AcquisitionState& state, const StepOptions& options, const Progress& progress) {
-  const std::vector<View> views = viewsOf(state);
-  if (views.size() < 2) return;
-  const std::vector<PreparedView> prepared =
-      preparedViews(scansOf(state, ScanStatus::In), progress.part(0.0, 0.1, "refine"));
-  MultiViewOptions refinement = options.refinement;
-  refinement.ties = tiesOf(scansOf(state, ScanStatus::In), options);
-  const MultiViewResult refined = refinePrepared(views, prepared, refinement, progress.part(0.1, 1.0));
-  std::size_t i = 0;
-  for (KeptScan& scan : state.scans) {
-    if (scan.status != ScanStatus::In) continue;
-    scan.view.T_object_scanner = refined.poses[i];
-    liftDoubt(scan, prepared[i].surface, refined.poseSigmas[i], options);
-    ++i;
-  }
-}
-
 void checkStation(const AcquisitionState& state, const KeptScan& scan) {
   const int stand = scan.station().stand;
   if (stand < 0 || stand > state.stand())
     throw InvalidInput("scan " + std::to_string(scan.number) + " is of stand " + std::to_string(stand) +
                        ", the object has stood in stands 0 to " + std::to_string(state.stand()));
+}
+
+AcquisitionState withWaiting(const AcquisitionState& state, KeptScan scan) {
+  AcquisitionState next = state;
+  scan.status = ScanStatus::Waiting;
+  scan.view.mesh = nullptr;
+  next.scans.push_back(std::move(scan));
+  return next;
 }
 
 // Nothing can be registered with, planned from or said of a model without surface.
@@ -89,6 +66,7 @@ bool placeRejected(AcquisitionState& state, const StepOptions& options, const Pr
   bool placed = false;
   for (KeptScan& scan : state.scans) {
     if (scan.status != ScanStatus::Rejected || !turnedByGuess(*scan.view.image)) continue;
+    if (compositeOf(state, scan.station().stand) != compositeInWork(state)) continue;
     KeptScan again = scan;
     again.view.mesh = std::make_shared<const ViewMesh>(triangulate(*scan.view.image, options.triangulation, progress));
     if (again.view.mesh->mesh.empty() || !findPlaceAgain(state, again, options, progress) || isLoose(again)) continue;
@@ -102,7 +80,7 @@ bool placeRejected(AcquisitionState& state, const StepOptions& options, const Pr
 AcquisitionState withNewModel(AcquisitionState state, std::size_t added, const StepOptions& options,
                               const Progress& progress) {
   const double before = area(state.model->mesh);
-  refine(state, options, progress.part(0.0, 0.2));
+  refineModelViews(state, options, progress.part(0.0, 0.2));
   state.model = integrateViews(viewsOf(state), options, progress.part(0.2, 1.0));
   ScanRecord& record = state.scans[added].record;
   record.newArea = std::max(0.0, area(state.model->mesh) - before);
@@ -121,6 +99,23 @@ AcquisitionState withScansPlaced(AcquisitionState state, std::size_t added, cons
 
 }  // namespace
 
+void refineModelViews(AcquisitionState& state, const StepOptions& options, const Progress& progress) {
+  const std::vector<View> views = viewsOf(state);
+  if (views.size() < 2) return;
+  const std::vector<PreparedView> prepared =
+      preparedViews(scansOf(state, ScanStatus::In), progress.part(0.0, 0.1, "refine"));
+  MultiViewOptions refinement = options.refinement;
+  refinement.ties = tiesOf(state, options);
+  const MultiViewResult refined = refinePrepared(views, prepared, refinement, progress.part(0.1, 1.0));
+  std::size_t i = 0;
+  for (KeptScan& scan : state.scans) {
+    if (scan.status != ScanStatus::In) continue;
+    scan.view.T_object_scanner = refined.poses[i];
+    liftDoubt(scan, prepared[i].surface, refined.poseSigmas[i], options);
+    ++i;
+  }
+}
+
 AcquisitionState addScan(const AcquisitionState& state, const NumberedScan& scan,
                          std::optional<PositionScore> predicted, const StepOptions& options, const Progress& progress) {
   const Progress registering = progress.part(0.0, 0.5, name(Phase::Register));
@@ -128,20 +123,17 @@ AcquisitionState addScan(const AcquisitionState& state, const NumberedScan& scan
   KeptScan added = keepAsView(scan, {options.cut, options.thinning}, options.triangulation, raysOfLast(state.scans),
                               registering.part(0.0, 0.1));
   checkStation(state, added);
-  AcquisitionState next = state;
-  if (!state.stands[static_cast<std::size_t>(added.station().stand)].T_object_table) {
-    added.status = ScanStatus::Waiting;
-    added.view.mesh = nullptr;
-    next.scans.push_back(std::move(added));
-    return next;
-  }
-  if (added.view.mesh->mesh.empty() && !state.model) refuseEmpty(added);
-  if (state.model) prepareScans(next, added, registering.part(0.1, 0.2));
+  const int composite = compositeOf(state, added.station().stand);
+  if (composite != compositeOf(state, state.stand())) return withWaiting(state, std::move(added));
+  AcquisitionState next = withComposite(state, composite);
+  const std::shared_ptr<const Model> known = next.model;
+  if (added.view.mesh->mesh.empty() && !known) refuseEmpty(added);
+  if (known) prepareScans(next, added, registering.part(0.1, 0.2));
   const bool found = findPlace(next, added, options, registering.part(0.2, 0.7));
   added.record.predicted = std::move(predicted);
   next.scans.push_back(std::move(added));
   if (!found) return next;
-  refine(next, options, registering.part(0.7, 0.9));
+  refineModelViews(next, options, registering.part(0.7, 0.9));
   const std::size_t last = next.scans.size() - 1;
   if (!isLoose(next.scans.back()) && settleLooseViews(next, options, registering.part(0.9, 1.0)))
     return withScansPlaced(withNewModel(std::move(next), last, options, progress.part(0.5, 0.9)), last, options,
@@ -150,13 +142,13 @@ AcquisitionState addScan(const AcquisitionState& state, const NumberedScan& scan
   const Progress integrating = progress.part(0.5, 1.0, name(Phase::Integrate));
   const std::vector<View> views = viewsOf(next);
   integrating.checkpoint(0.0);
-  const Model before = state.model ? reposed(*state.model, views) : Model{};
+  const Model before = known ? reposed(*known, views) : Model{};
   integrating.checkpoint(0.0);
   const Integration integration = integrateView(before, views, static_cast<std::uint32_t>(views.size() - 1),
                                                 options.zipper, integrating.part(0.0, 0.6));
   next.model = std::make_shared<const Model>(
       applyConsensus(integration.model, views, options.consensus, integrating.part(0.6, 0.9)));
-  if (!state.model && next.model->mesh.triangles.empty()) refuseEmpty(next.scans.back());
+  if (!known && next.model->mesh.triangles.empty()) refuseEmpty(next.scans.back());
   integrating.checkpoint(0.9);
   ScanRecord& record = next.scans.back().record;
   record.newArea = std::max(0.0, area(integration.model.mesh) - area(before.mesh));
@@ -195,33 +187,6 @@ AcquisitionState takeAsFrom(const AcquisitionState& state, std::int64_t scan, do
   return withScansPlaced(std::move(next), added, options, progress.part(0.8, 1.0));
 }
 
-AcquisitionState placeStand(const AcquisitionState& state, int stand, const Pose& T_object_table,
-                            const StepOptions& options, const Progress& progress) {
-  AcquisitionState next = state;
-  next.stands[static_cast<std::size_t>(stand)].T_object_table = T_object_table;
-  const auto waits = [&](const KeptScan& scan) {
-    return scan.status == ScanStatus::Waiting && scan.station().stand == stand;
-  };
-  const auto count = static_cast<double>(std::count_if(next.scans.begin(), next.scans.end(), waits));
-  double done = 0.0;
-  for (KeptScan& scan : next.scans) {
-    if (!waits(scan)) continue;
-    const Progress part = progress.part(done / count, (done + 1.0) / count);
-    done += 1.0;
-    scan.view.mesh = std::make_shared<const ViewMesh>(triangulate(*scan.view.image, options.triangulation, part));
-    KeptScan placed = scan;
-    const bool found = findPlace(next, placed, options, part.part(0.0, 0.3, name(Phase::Register)));
-    const double before = next.model ? area(next.model->mesh) : 0.0;
-    scan = std::move(placed);
-    if (!found) continue;
-    refine(next, options, part.part(0.3, 0.5, name(Phase::Register)));
-    next.model = integrateViews(viewsOf(next), options, part.part(0.5, 1.0));
-    scan.record.newArea = std::max(0.0, area(next.model->mesh) - before);
-    scan.record.overlapArea = std::max(0.0, area(scan.view.mesh->mesh) - scan.record.newArea);
-  }
-  return next;
-}
-
 namespace {
 
 // Whether a view is in the model that the table alone placed: errors of its moves would pile up beyond that.
@@ -234,8 +199,7 @@ bool reliesOnTable(const AcquisitionState& state) {
 }  // namespace
 
 PlanInput planInputOf(const AcquisitionState& state) {
-  PlanInput input{state.profile, state.model, viewsOf(state), {}, {}, Pose::Identity()};
-  if (const auto& T_object_table = state.stands.back().T_object_table) input.T_object_table = *T_object_table;
+  PlanInput input{state.profile, state.model, viewsOf(state), {}, {}, tableOf(state, state.stand())};
   for (const KeptScan* scan : scansOf(state, ScanStatus::In))
     if (scan->station().stand == state.stand() && scan->station().position)
       input.taken.push_back(*positionTaken(state, *scan));
@@ -247,8 +211,6 @@ PlanInput planInputOf(const AcquisitionState& state) {
 
 Plan planAfter(const AcquisitionState& state, const ScannerImages& images, const StepOptions& options,
                const Progress& progress) {
-  if (!state.stands.back().T_object_table)
-    throw InvalidInput("it is not known how the object stands, so no view can be planned");
   PlannerOptions planner = options.planner;
   if (reliesOnTable(state)) planner.tableAloneShare = 1.0;
   return planNextView(planInputOf(state), images, planner, progress);

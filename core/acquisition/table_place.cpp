@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "acquisition/stand_composites.h"
+
 namespace vantage {
 namespace {
 
@@ -23,9 +25,8 @@ bool turnedBack(const View& before, const View& view) {
 // How much farther than the table says the last view of the stand of now was found.
 double knownSlip(const AcquisitionState& state) {
   const KeptScan* view = lastView(state, state.stand());
-  const auto& T_object_table = state.stands.back().T_object_table;
-  if (view == nullptr || !T_object_table) return 0.0;
-  const double farther = turnAboutAxis(T_object_table->inverse() * view->view.T_object_scanner *
+  if (view == nullptr) return 0.0;
+  const double farther = turnAboutAxis(tableOf(state, state.stand()).inverse() * view->view.T_object_scanner *
                                        view->view.image->T_table_scanner.inverse());
   return std::abs(farther) < kSlip ? 0.0 : farther;
 }

@@ -43,10 +43,10 @@ struct Displacement {
 Displacement displacementOf(const CompositeModel& composite, std::span<const Pose> poses) {
   Displacement all;
   for (std::size_t v = 0; v < poses.size(); ++v) {
-    const OrientedPoints& points = composite.prepared()[v].points;
+    const OrientedVertices& points = composite.prepared()[v].points;
     for (const std::uint32_t i : thinned(allIndices(points.size()), kProbes)) {
-      all.before.push_back(composite.composite().views[v].T_object_scanner * points.points[i]);
-      all.after.push_back(poses[v] * points.points[i]);
+      all.before.push_back(composite.composite().views[v].T_object_scanner * points.pointAt(i));
+      all.after.push_back(poses[v] * points.pointAt(i));
     }
   }
   return all;

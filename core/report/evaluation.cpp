@@ -100,15 +100,17 @@ void measureCoverage(const std::vector<SamplePoint>& samples, const std::vector<
   std::vector<std::uint8_t> covered(samples.size(), 0);
   parallelChunks(samples.size(), kGrain, progress, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      if (!scannable[i]) continue;
       const auto near = caster.closestPoint(samples[i].point, options.tolerance);
       covered[i] = near && triangleNormal(model, model.triangles[near->triangle]).dot(samples[i].normal) > 0.5;
     }
   });
   const auto scannableCount = static_cast<double>(std::count(scannable.begin(), scannable.end(), 1));
   result.scannableShare = scannableCount / static_cast<double>(std::max<std::size_t>(1, samples.size()));
-  result.coverage =
-      scannableCount > 0.0 ? static_cast<double>(std::count(covered.begin(), covered.end(), 1)) / scannableCount : 0.0;
+  double both = 0.0;
+  for (std::size_t i = 0; i < samples.size(); ++i) both += scannable[i] != 0 && covered[i] != 0 ? 1.0 : 0.0;
+  result.coverage = scannableCount > 0.0 ? both / scannableCount : 0.0;
+  result.wholeCoverage = static_cast<double>(std::count(covered.begin(), covered.end(), 1)) /
+                         static_cast<double>(std::max<std::size_t>(1, samples.size()));
 }
 
 void measureAccuracy(const Mesh& model, const RayCaster& object, const EvaluationOptions& options,

@@ -19,6 +19,7 @@ struct EvaluationOptions {
 struct Evaluation {
   double scannableShare = 0.0;  ///< share of the object's surface that some position can sample, 0..1
   double coverage = 0.0;        ///< share of the scannable surface that the model covers, facing the same way, 0..1
+  double wholeCoverage = 0.0;   ///< share of the whole surface that the model covers, also what stands showed, 0..1
   double rms = 0.0;             ///< of the model's distance from the object [mm]
   double percentile99 = 0.0;    ///< [mm]
   double falseSurface = 0.0;    ///< share of the model farther than the tolerance from the object, 0..1

@@ -6,8 +6,10 @@
 #include <array>
 #include <cmath>
 
+#include "acquisition/stand_composites.h"
 #include "geometry/measures.h"
 #include "report/edges_left.h"
+#include "report/stands_report.h"
 #include "report/wording.h"
 #include "session/reading_json.h"
 
@@ -169,7 +171,8 @@ double peakMemory() {
   return static_cast<double>(usage.ru_maxrss) / 1024.0;
 }
 
-nlohmann::ordered_json makeReport(const AcquisitionState& state, const std::string& version) {
+nlohmann::ordered_json makeReport(const AcquisitionState& given, const std::string& version) {
+  const AcquisitionState state = withObject(given);
   const AcquisitionSettings& settings = state.settings;
   Json report{{"version", version},
               {"object", settings.simulation.object},
@@ -180,7 +183,8 @@ nlohmann::ordered_json makeReport(const AcquisitionState& state, const std::stri
               {"views", Json::array()}};
   for (const KeptScan* scan : scansOf(state, ScanStatus::In))
     report["views"].push_back(viewJson(*scan, report["views"].size()));
-  for (const ScanStatus status : {ScanStatus::Rejected, ScanStatus::LeftOut, ScanStatus::Waiting}) {
+  report["stands"] = standsJson(state);
+  for (const ScanStatus status : {ScanStatus::Rejected, ScanStatus::LeftOut, ScanStatus::Waiting, ScanStatus::Aside}) {
     Json& list = report[std::string(name(status))] = Json::array();
     for (const KeptScan* scan : scansOf(state, status)) list.push_back(otherScanJson(*scan));
   }

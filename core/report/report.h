@@ -7,7 +7,8 @@
 
 namespace vantage {
 
-/// The report of an acquisition as the command line contract describes it: areas in mm^2, times in s. Only the members
+/// The report of an acquisition as the command line contract describes it, of what is known of the object: stands that
+/// are not aligned have no part in its views and its model. Areas in mm^2, times in s. Only the members
 /// "seconds" and "peak_memory_mb" depend on the machine.
 [[nodiscard]] nlohmann::ordered_json makeReport(const AcquisitionState& state, const std::string& version);
 

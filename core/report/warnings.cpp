@@ -1,9 +1,11 @@
 #include "report/warnings.h"
 
+#include <algorithm>
 #include <array>
 #include <string>
 
 #include "acquisition/hand_placing.h"
+#include "acquisition/stand_composites.h"
 #include "acquisition/table_place.h"
 #include "geometry/measures.h"
 #include "report/wording.h"
@@ -24,6 +26,7 @@ std::optional<WarningCode> codeOf(const KeptScan& scan) {
       if (scan.record.registration.verdict == Verdict::Doubtful) return WarningCode::ScanDoubtful;
       break;
     case ScanStatus::LeftOut:
+    case ScanStatus::Aside:
       break;
   }
   return std::nullopt;
@@ -36,6 +39,20 @@ Warning warningOf(WarningCode code, const KeptScan& scan) {
   return warning;
 }
 
+// What is not well about the stands.
+void addStands(const AcquisitionState& state, std::vector<Warning>& warnings) {
+  for (int stand = 0; stand <= state.stand(); ++stand) {
+    const auto& alignment = state.stands[static_cast<std::size_t>(stand)].alignment;
+    const bool known = compositeOf(state, stand) == kObjectComposite;
+    const bool isWell = known ? !alignment || alignment->choice != PoseChoice::Despite
+                              : std::none_of(state.scans.begin(), state.scans.end(),
+                                             [&](const KeptScan& scan) { return scan.station().stand == stand; });
+    if (isWell) continue;
+    warnings.push_back(
+        {known ? WarningCode::StandDoubtful : WarningCode::StandNotAligned, {}, {}, {}, {}, stand, alignment});
+  }
+}
+
 bool endedEarly(Termination termination) {
   return termination != Termination::Running && termination != Termination::Finished &&
          termination != Termination::Imported;
@@ -45,8 +62,8 @@ bool endedEarly(Termination termination) {
 
 std::string_view name(WarningCode code) {
   constexpr std::array<std::string_view, static_cast<std::size_t>(kLastWarningCode) + 1> kNames{
-      "scan_rejected",  "scan_doubtful", "scan_waiting",    "nothing_covered",
-      "little_covered", "ended_early",   "table_turns_back"};
+      "scan_rejected", "scan_doubtful",    "scan_waiting",      "nothing_covered", "little_covered",
+      "ended_early",   "table_turns_back", "stand_not_aligned", "stand_doubtful"};
   return kNames[static_cast<std::size_t>(code)];
 }
 
@@ -70,12 +87,14 @@ std::vector<Warning> warningsOf(const AcquisitionState& state, std::size_t first
   } else if (ended && state.plan && state.plan->voidLeft > kLittleLeft * covered) {
     warnings.push_back({WarningCode::LittleCovered, {}, {}, state.plan->voidLeft / covered, {}});
   }
+  addStands(state, warnings);
   if (endedEarly(state.termination)) warnings.push_back({WarningCode::EndedEarly, {}, {}, {}, state.termination});
   return warnings;
 }
 
 Phrase phraseOf(const Warning& warning) {
   const Phrase scan = asIs(std::to_string(warning.scan.value_or(0)));
+  const Phrase stand = asIs(std::to_string(warning.stand.value_or(0)));
   const Phrase finding = phraseOf(warning.finding.value_or(Finding{}));
   switch (warning.code) {
     case WarningCode::ScanRejected:
@@ -97,6 +116,13 @@ Phrase phraseOf(const Warning& warning) {
           "scan %1 fits where the table would have turned the other way: if it always does, calibrate it, or say that "
           "its sense is -1",
           {scan});
+    case WarningCode::StandNotAligned:
+      if (!warning.alignment)
+        return words("stand %1 is not aligned with the others yet and is not in the model", {stand});
+      return words("stand %1 is not in the model: %2", {stand, phraseOf(*warning.alignment)});
+    case WarningCode::StandDoubtful:
+      return words("stand %1 is in the model although something speaks against it: %2",
+                   {stand, phraseOf(*warning.alignment)});
     case WarningCode::EndedEarly:
       return words("the acquisition is not finished. %1",
                    {asIs(std::string(sentenceOf(warning.termination.value_or(Termination::Running))))});

@@ -64,6 +64,13 @@ Phrase phraseFor(const TurnObject& /*command*/) {
 Phrase phraseFor(const PlaceStand& command) {
   return words("Stand %1 placed", {asIs(std::to_string(command.stand))});
 }
+Phrase phraseFor(const AlignStand& command) {
+  return words("Stand %1 aligned", {asIs(std::to_string(command.stand))});
+}
+Phrase phraseFor(const ChooseStandPose& command) {
+  return words("Pose %1 chosen for stand %2",
+               {asIs(std::to_string(command.pose)), asIs(std::to_string(command.stand))});
+}
 Phrase phraseFor(const ChangeMode& command) {
   return command.mode == Mode::Automatic ? words("Automatic from here") : words("Assisted from here");
 }
@@ -150,6 +157,29 @@ Phrase phraseOf(const Finding& finding) {
       return words("only %1 points overlap with the model: the table alone says where it belongs", {figure(value)});
     case VerdictReason::HeldByAll:
       return words("all scans together hold it");
+  }
+  return words("");
+}
+
+Phrase phraseOf(const StandAlignment& alignment) {
+  const double value = alignment.value.value_or(0.0);
+  switch (alignment.reason) {
+    case AlignmentReason::OnePose:
+      return words("one pose is possible, with %1 % of the surface in common", {figure(100.0 * value)});
+    case AlignmentReason::Slides:
+      return words("the surfaces slide along each other");
+    case AlignmentReason::SeveralPoses:
+      return alignment.sameSurface ? words("%1 poses are possible, and all leave the same surface", {figure(value)})
+                                   : words("%1 poses are possible", {figure(value)});
+    case AlignmentReason::Contradiction:
+      return words("scans contradict %1 % of the surface in the best pose", {figure(100.0 * value, 1)});
+    case AlignmentReason::TooLittleOverlap:
+      return words("only %1 % of the surface is in common", {figure(100.0 * value)});
+    case AlignmentReason::BentComposite:
+      return words("it does not fit in one piece: views moved %1 sigma away from where the mechanics put them",
+                   {figure(value, 1)});
+    case AlignmentReason::OtherObject:
+      return words("no pose fits");
   }
   return words("");
 }

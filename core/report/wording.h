@@ -23,6 +23,9 @@ namespace vantage {
 /// What a verdict rests on, as part of a sentence: "only 45 % of the expected overlap fits".
 [[nodiscard]] Phrase phraseOf(const Finding& finding);
 
+/// What came of an alignment: "3 poses are possible".
+[[nodiscard]] Phrase phraseOf(const StandAlignment& alignment);
+
 /// One line for a command: "Scan 3 added".
 [[nodiscard]] Phrase phraseOf(const Command& command);
 

@@ -6,6 +6,7 @@
 #include "acquisition/settings_json.h"
 #include "session/json_fields.h"
 #include "session/reading_json.h"
+#include "session/stand_json.h"
 #include "session/value_json.h"
 
 namespace vantage {
@@ -26,6 +27,12 @@ class FieldWriter {
   void operator()(const char* key, std::optional<int> position) { json_[key] = position.value_or(-1); }
   void operator()(const char* key, const std::optional<Pose>& pose) { json_[key] = standPoseJson(pose); }
   void operator()(const char* key, const Pose& pose) { json_[key] = poseJson(pose); }
+  void operator()(const char* key, const std::optional<Vec3>& vector) {
+    if (vector) json_[key] = numberList(*vector, 3);
+  }
+  void operator()(const char* key, const PickedPairs& picks) {
+    if (!picks.empty()) json_[key] = picksJson(picks);
+  }
   void operator()(const char* key, const std::vector<ScanReading>& readings) {
     if (!readings.empty()) json_[key] = readingsJson(readings);
   }
@@ -74,6 +81,16 @@ class FieldReader {
   }
   void operator()(const char* key, int& number) { number = fields_.integer(key); }
   void operator()(const char* key, double& number) { number = fields_.number(key); }
+  void operator()(const char* key, bool& flag) { flag = fields_.flag(key); }
+  void operator()(const char* key, std::optional<Vec3>& vector) {
+    if (!fields_.has(key)) return;
+    vector = Vec3::Zero();
+    fields_.numbers(key, vector->data(), 3);
+    if (!vector->allFinite()) fields_.fail(key);
+  }
+  void operator()(const char* key, PickedPairs& picks) {
+    if (fields_.has(key)) picks = picksFrom(fields_.list(key), fields_.what());
+  }
   void operator()(const char* key, std::vector<ScanReading>& readings) {
     if (fields_.has(key)) readings = readingsFrom(fields_.list(key), fields_.what());
   }

@@ -44,6 +44,15 @@ void transact(SessionStore& store, const Change& change) {
   transaction.commit();
 }
 
+// The model that a step made; null when it made none.
+std::shared_ptr<const Model> modelMadeIn(std::int64_t step, const StateOutline& outline,
+                                         const AcquisitionState& state) {
+  if (outline.modelStep == step) return state.model;
+  for (std::size_t i = 0; i < outline.aside.size(); ++i)
+    if (outline.aside[i].step == step) return state.aside[i].model;
+  return nullptr;
+}
+
 }  // namespace
 
 struct Session::Parts {
@@ -109,9 +118,10 @@ struct Session::Parts {
     entry.hash = hash.get();
     transact(store, [&] { store.addStep(entry, first ? 0 : history.current().step, newPlan); });
     states.remember(*entry.outline, *shared);
-    const std::int64_t newModel = entry.outline->modelStep == entry.step ? entry.step : 0;
+    const std::int64_t step = entry.step;
+    std::shared_ptr<const Model> newModel = modelMadeIn(step, *entry.outline, *shared);
     history.add(std::move(entry), shared);
-    if (newModel != 0) models.write(newModel, shared->model);
+    if (newModel) models.write(step, std::move(newModel));
   }
 
   void move(void (History::*there)(), void (History::*back)(), const char* what) {

@@ -1,11 +1,13 @@
 #include "session/session_json.h"
 
+#include <limits>
 #include <utility>
 
 #include "acquisition/settings_json.h"
 #include "session/earlier_wording.h"
 #include "session/json_fields.h"
 #include "session/reading_json.h"
+#include "session/stand_json.h"
 #include "session/value_json.h"
 
 namespace vantage {
@@ -96,20 +98,37 @@ AcquisitionSettings settingsFromText(const std::string& text, const std::string&
   return settingsFromJson(jsonObject(text, what), what);
 }
 
-std::string standsText(const std::vector<Stand>& stands) {
+std::string standsText(const std::vector<Stand>& stands, const std::vector<OutlinedModel>& aside) {
   Json list = Json::array();
-  for (const Stand& stand : stands) list.push_back({{"T_object_table", standPoseJson(stand.T_object_table)}});
-  return Json{{"stands", std::move(list)}}.dump();
+  for (const Stand& stand : stands) list.push_back(standJson(stand));
+  Json json{{"stands", std::move(list)}};
+  for (const OutlinedModel& model : aside)
+    json["aside"].push_back({{"composite", model.composite}, {"model", model.step}});
+  return json.dump();
 }
 
 std::vector<Stand> standsFromText(const std::string& text, const std::string& what) {
   const Json json = jsonObject(text, what);
   const JsonFields fields(json, what);
   std::vector<Stand> stands;
-  for (const Json& stand : fields.list("stands"))
-    stands.push_back({standPoseFrom({stand, what}, stand, "T_object_table")});
+  for (const Json& stand : fields.list("stands")) stands.push_back(standFrom(stand, what));
   if (stands.empty()) fields.fail("stands");
   return stands;
+}
+
+std::vector<OutlinedModel> asideFromText(const std::string& text, const std::string& what) {
+  const Json json = jsonObject(text, what);
+  const JsonFields fields(json, what);
+  std::vector<OutlinedModel> aside;
+  if (!fields.has("aside")) return aside;
+  const auto last = static_cast<std::int64_t>(fields.list("stands").size()) - 1;
+  for (const Json& model : fields.list("aside")) {
+    const JsonFields one(model, what);
+    aside.push_back({static_cast<int>(one.integer("composite", 0, last)),
+                     one.integer("model", 1, std::numeric_limits<std::int64_t>::max())});
+    if (aside.size() > 1 && aside.end()[-2].composite >= aside.back().composite) fields.fail("aside");
+  }
+  return aside;
 }
 
 std::string recordText(const OutlinedScan& scan) {

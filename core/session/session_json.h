@@ -12,9 +12,11 @@ namespace vantage {
 [[nodiscard]] std::string settingsText(const AcquisitionSettings& settings);
 [[nodiscard]] AcquisitionSettings settingsFromText(const std::string& text, const std::string& what);
 
-/// The stands as a list of poses T_object_table (12 numbers; null: not known).
-[[nodiscard]] std::string standsText(const std::vector<Stand>& stands);
+/// The stands as a list of poses T_object_table (12 numbers; null: not known) with what came of their alignments, and
+/// the models that are set aside.
+[[nodiscard]] std::string standsText(const std::vector<Stand>& stands, const std::vector<OutlinedModel>& aside = {});
 [[nodiscard]] std::vector<Stand> standsFromText(const std::string& text, const std::string& what);
+[[nodiscard]] std::vector<OutlinedModel> asideFromText(const std::string& text, const std::string& what);
 
 /// What a scan brought, without its plan, with its number and where it was taken.
 [[nodiscard]] std::string recordText(const OutlinedScan& scan);

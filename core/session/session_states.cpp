@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "acquisition/apply_command.h"
+#include "acquisition/stand_composites.h"
 #include "acquisition/steps.h"
 #include "base/errors.h"
 #include "base/parallel.h"
@@ -19,6 +20,19 @@ bool fits(const Model& model, const std::vector<View>& views) {
       return false;
   return std::all_of(model.triangleView.begin(), model.triangleView.end(),
                      [&](std::uint32_t view) { return view < views.size(); });
+}
+
+bool hasMesh(ScanStatus status) {
+  return status == ScanStatus::In || status == ScanStatus::LeftOut || status == ScanStatus::Aside;
+}
+
+// The views of a composite that is set aside, in the order in which its model counts them.
+std::vector<View> viewsAside(const AcquisitionState& state, int composite) {
+  std::vector<View> views;
+  for (const KeptScan& scan : state.scans)
+    if (scan.status == ScanStatus::Aside && compositeOf(state, scan.station().stand) == composite)
+      views.push_back(scan.view);
+  return views;
 }
 
 // Whether the patches of a plan lie on a model.
@@ -165,8 +179,7 @@ std::vector<View> SessionStates::piecesOf(const StateOutline& outline, const Ste
   std::vector<View> pieces;
   std::vector<std::int64_t> scans;
   for (const OutlinedScan& o : outline.scans) {
-    const bool hasMesh = o.status == ScanStatus::In || o.status == ScanStatus::LeftOut;
-    if (!hasMesh || meshes_[o.scan].mesh.lock()) continue;
+    if (!hasMesh(o.status) || meshes_[o.scan].mesh.lock()) continue;
     const auto share = [&](std::size_t i) {
       return 0.5 * static_cast<double>(i) / static_cast<double>(outline.scans.size());
     };
@@ -204,8 +217,7 @@ std::optional<KeptScan> SessionStates::keptScan(const OutlinedScan& outlined, co
     kept.record.cut = used.cut;
     kept.record.everyNth = used.everyNth;
     kept.view.T_object_scanner = outlined.T_object_scanner;
-    if (outlined.status == ScanStatus::In || outlined.status == ScanStatus::LeftOut)
-      kept.view.mesh = meshOf(outlined.scan, kept.view.image, options.triangulation);
+    if (hasMesh(outlined.status)) kept.view.mesh = meshOf(outlined.scan, kept.view.image, options.triangulation);
     kept.record.planAfter = plan(outlined.planStep);
     return kept;
   } catch (const InvalidInput& e) {
@@ -266,45 +278,51 @@ AcquisitionState SessionStates::assembled(const History& history, const HistoryE
   for (const OutlinedScan& o : outline.scans)
     if (auto kept = keptScan(o, options)) state.scans.push_back(std::move(*kept));
 
+  const bool whole = state.scans.size() == outline.scans.size();
+  for (const OutlinedModel& aside : outline.aside)
+    if (const auto views = viewsAside(state, aside.composite); !views.empty())
+      state.aside.push_back({aside.composite, whole ? modelOf(state, aside.composite, history, aside.step)
+                                                    : integrateViews(views, options, progress_)});
   const std::vector<View> views = viewsOf(state);
   if (views.empty()) return state;
-  const bool whole = views.size() == countScans(outline, ScanStatus::In);
-  state.model = whole ? modelOf(state, history, entry) : integrateViews(views, stepOptionsFor(state), progress_);
+  const bool wholeModel = views.size() == countScans(outline, ScanStatus::In);
+  state.model = wholeModel ? modelOf(state, compositeInWork(state), history, outline.modelStep)
+                           : integrateViews(views, stepOptionsFor(state), progress_);
   const auto held = plan(outline.planStep);
-  if (held && whole) state.plan = held;
+  if (held && wholeModel) state.plan = held;
   return state;
 }
 
-std::shared_ptr<const Model> SessionStates::modelOf(const AcquisitionState& state, const History& history,
-                                                    const HistoryEntry& entry) {
-  const std::int64_t step = entry.outline->modelStep;
-  const std::vector<View> views = viewsOf(state);
+std::shared_ptr<const Model> SessionStates::modelOf(const AcquisitionState& state, int composite,
+                                                    const History& history, std::int64_t step) {
+  const bool inWork = composite == compositeInWork(state);
+  const std::vector<View> views = inWork ? viewsOf(state) : viewsAside(state, composite);
   if (auto kept = model(step, views.size())) {
     if (vantage::fits(*kept, views)) return kept;
     lose({LossKind::ModelOfOtherSamples, step, {}, {}});
   }
-  auto made = replayedModel(state, history, step);
+  auto made = replayedModel(views, composite, history, step);
+  if (!made) made = integrateViews(views, stepOptionsFor(state), progress_);
   models_[step] = made;
   return made;
 }
 
-// Made as it was made the first time, by the command of its step on the state before; only where that is not known
-// anew, of all views.
-std::shared_ptr<const Model> SessionStates::replayedModel(const AcquisitionState& state, const History& history,
-                                                          std::int64_t step) {
-  const std::vector<View> views = viewsOf(state);
+// Made as it was made the first time, by the command of its step on the state before; null where that is not known.
+std::shared_ptr<const Model> SessionStates::replayedModel(const std::vector<View>& views, int composite,
+                                                          const History& history, std::int64_t step) {
   for (std::size_t i = 1; i < history.size(); ++i) {
     if (history.entry(i).step != step) continue;
     try {
       const std::shared_ptr<const AcquisitionState> before = history.state(i - 1);
       const CommandInput input{[&](std::int64_t number) { return scan(number); }, nullptr};
       const AcquisitionState after = applyCommand(*before, history.entry(i).command, input, progress_);
-      if (after.model && vantage::fits(*after.model, views)) return after.model;
+      const auto made = withComposite(after, composite).model;
+      if (made && vantage::fits(*made, views)) return made;
     } catch (const InvalidInput&) {
       // Then not.
     }
   }
-  return integrateViews(views, stepOptionsFor(state), progress_);
+  return nullptr;
 }
 
 // Says which steps made the record of a scan and the plan after it. A record is written again where a scan that waited
@@ -320,14 +338,29 @@ void SessionStates::findSteps(OutlinedScan& scan, bool planned, const StateOutli
   scan.planStep = !planned ? 0 : known ? old->planStep : step;
 }
 
+// The step that made a model: one of those that the state before had, else the one that is made now.
+std::int64_t SessionStates::stepOf(const std::shared_ptr<const Model>& model, const StateOutline& before,
+                                   std::int64_t step) const {
+  if (!model) return 0;
+  const auto made = [&](std::int64_t known) {
+    const auto held = models_.find(known);
+    return held != models_.end() && held->second.lock() == model;
+  };
+  if (before.modelStep != 0 && made(before.modelStep)) return before.modelStep;
+  for (const OutlinedModel& aside : before.aside)
+    if (made(aside.step)) return aside.step;
+  return step;
+}
+
 StateOutline SessionStates::outline(const AcquisitionState& state, const StateOutline& before, std::int64_t step) {
   StateOutline outline = outlineOf(state);
   for (std::size_t i = 0; i < state.scans.size(); ++i)
     findSteps(outline.scans[i], state.scans[i].record.planAfter != nullptr, before, step);
   const bool samePlan = before.planStep != 0 && plans_[before.planStep].lock() == state.plan;
   outline.planStep = !state.plan ? 0 : samePlan ? before.planStep : step;
-  const bool sameModel = before.modelStep != 0 && models_[before.modelStep].lock() == state.model;
-  outline.modelStep = !state.model ? 0 : sameModel ? before.modelStep : step;
+  outline.modelStep = stepOf(state.model, before, step);
+  for (std::size_t i = 0; i < state.aside.size(); ++i)
+    outline.aside[i].step = stepOf(state.aside[i].model, before, step);
   return outline;
 }
 
@@ -341,6 +374,7 @@ void SessionStates::remember(const StateOutline& outline, const AcquisitionState
     if (scan.view.mesh) meshes_[scan.number] = {scan.view.image, scan.view.mesh};
   }
   models_[outline.modelStep] = state.model;
+  for (std::size_t i = 0; i < state.aside.size(); ++i) models_[outline.aside[i].step] = state.aside[i].model;
   if (state.plan) plans_[outline.planStep] = state.plan;
 }
 

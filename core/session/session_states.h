@@ -88,10 +88,13 @@ class SessionStates {
   /// Nothing when the scan is lost.
   [[nodiscard]] std::optional<KeptScan> keptScan(const OutlinedScan& outlined, const StepOptions& options);
   static void findSteps(OutlinedScan& scan, bool planned, const StateOutline& before, std::int64_t step);
-  [[nodiscard]] std::shared_ptr<const Model> modelOf(const AcquisitionState& state, const History& history,
-                                                     const HistoryEntry& entry);
-  [[nodiscard]] std::shared_ptr<const Model> replayedModel(const AcquisitionState& state, const History& history,
-                                                           std::int64_t step);
+  [[nodiscard]] std::int64_t stepOf(const std::shared_ptr<const Model>& model, const StateOutline& before,
+                                    std::int64_t step) const;
+  /// @param step that made the model
+  [[nodiscard]] std::shared_ptr<const Model> modelOf(const AcquisitionState& state, int composite,
+                                                     const History& history, std::int64_t step);
+  [[nodiscard]] std::shared_ptr<const Model> replayedModel(const std::vector<View>& views, int composite,
+                                                           const History& history, std::int64_t step);
   [[nodiscard]] AcquisitionState assembled(const History& history, const HistoryEntry& entry);
   /// Nothing when the step cannot be carried out again.
   [[nodiscard]] std::optional<AcquisitionState> replayed(const AcquisitionState& state, const History& history,

@@ -307,7 +307,7 @@ void SessionStore::addStep(const HistoryEntry& entry, std::int64_t parent, const
       .bind(4, std::string_view(commandText(entry.command)))
       .bind(5, std::string_view(settingsText(outline.settings)))
       .bind(6, name(outline.mode))
-      .bind(7, std::string_view(standsText(outline.stands)))
+      .bind(7, std::string_view(standsText(outline.stands, outline.aside)))
       .bindOptional(8, outline.chosenPosition)
       .bind(9, name(outline.termination))
       .bind(10, static_cast<std::int64_t>(outline.scans.size()))

@@ -123,9 +123,29 @@ void addScan(ContentHash& hash, const KeptScan& scan) {
   if (record.planAfter) addPlan(hash, *record.planAfter);
 }
 
+void addAlignment(ContentHash& hash, const StandAlignment& alignment) {
+  hash.add(alignment.verdict);
+  hash.add(alignment.reason);
+  hash.add(alignment.value.has_value());
+  hash.add(alignment.value.value_or(0.0));
+  for (const StandPose& pose : alignment.candidates) {
+    addPose(hash, pose.T_object_stand);
+    for (const double number : {pose.overlap, pose.rms, pose.conflict, pose.table, pose.missing, pose.score})
+      hash.add(number);
+    hash.add(pose.possible);
+  }
+  hash.add(alignment.sameSurface);
+  hash.add(alignment.picked);
+  hash.add(alignment.used.value_or(-1));
+  hash.add(alignment.choice);
+}
+
+// What no stand of earlier versions had counts for nothing where it is not there.
 void addStand(ContentHash& hash, const Stand& stand) {
   hash.add(stand.T_object_table.has_value());
   if (stand.T_object_table) addPose(hash, *stand.T_object_table);
+  if (stand.down) addPoint(hash, *stand.down);
+  if (stand.alignment) addAlignment(hash, *stand.alignment);
 }
 
 void addModel(ContentHash& hash, const Model& model) {
@@ -151,6 +171,10 @@ std::uint64_t stateHash(const AcquisitionState& state) {
     addPatches(hash, *state.plan);
   }
   if (state.model) addModel(hash, *state.model);
+  for (const ModelAside& aside : state.aside) {
+    hash.add(aside.composite);
+    addModel(hash, *aside.model);
+  }
   hash.add(state.chosenPosition.has_value());
   hash.add(state.chosenPosition.value_or(0));
   hash.add(state.termination);

@@ -100,6 +100,8 @@ class HistoryReader {
           outline->mode = modeFromName(row.text(5), what);
           outline->stands =
               parsed(stands_, row.text(6), [&](const std::string& text) { return standsFromText(text, what); });
+          outline->aside =
+              parsed(aside_, row.text(6), [&](const std::string& text) { return asideFromText(text, what); });
           if (const auto chosen = row.optionalInteger(7)) outline->chosenPosition = bounded(*chosen);
           outline->termination = terminationFromName(row.text(8), what);
           outline->modelStep = row.integer(10);
@@ -198,6 +200,7 @@ class HistoryReader {
   std::map<std::int64_t, std::int64_t> counts_;
   Parsed<AcquisitionSettings> settings_;
   Parsed<std::vector<Stand>> stands_;
+  Parsed<std::vector<OutlinedModel>> aside_;
   std::vector<std::int64_t> path_;
   std::set<std::int64_t> onPath_;
 };

@@ -35,6 +35,9 @@ expect 2 "" "$cli" fly
 expect 2 "" "$cli" acquire --object "$mug"
 expect 2 "uniform" "$cli" acquire --object "$mug" --scanner "$scanner" --out "$work/a" --strategy best
 
+expect 2 "neither auto nor a number" "$cli" acquire --object "$mug" --scanner "$scanner" --out "$work/a" --stands many
+expect 1 "turned over" "$cli" acquire --object "$mug" --scanner "$scanner" --table hand --out "$work/a" --stands 2
+
 expect 0 "profile" "$cli" info "$scanner"
 expect 0 "mesh" "$cli" info "$mug"
 expect 1 "nothing.ply" "$cli" info "$work/nothing.ply"
@@ -53,6 +56,14 @@ for file in session.vantage model.ply model.stl report.json; do
 done
 expect 0 "session" "$cli" info "$work/run/session.vantage"
 expect 0 "next best view" "$cli" plan "$work/run/session.vantage"
+expect 0 "0: down" "$cli" stand "$work/run/session.vantage"
+expect 1 "no stand to align" "$cli" align "$work/run/session.vantage"
+cp "$work/run/session.vantage" "$work/turned.vantage"
+expect 1 "has sides 0 to" "$cli" stand "$work/turned.vantage" --face 99
+expect 0 '"stand": 1' "$cli" stand "$work/turned.vantage" --face 0 --json
+expect 0 "stands_not_aligned: 1" "$cli" info "$work/turned.vantage"
+expect 0 "triangles" "$cli" export "$work/turned.vantage" --out "$work/turned.obj"
+expect 1 "no view yet" "$cli" align "$work/turned.vantage" --stand 1
 expect 0 '"asked"' "$cli" plan "$work/run/session.vantage" --position 3 --json
 expect 0 "triangles" "$cli" export "$work/run/session.vantage" --out "$work/run/model.obj"
 expect 0 "open: " "$cli" export "$work/run/session.vantage" --out "$work/run/model.obj"

@@ -1,4 +1,5 @@
 #include "acquisition/apply_command.h"
+#include "acquisition/stand_composites.h"
 
 #include <gtest/gtest.h>
 
@@ -89,7 +90,8 @@ TEST_F(ApplyCommand, ATurnedObjectStandsAnewAndIsPlannedForAnew) {
   EXPECT_EQ(unknown.stand(), 1);
   EXPECT_FALSE(unknown.chosenPosition);
   EXPECT_FALSE(unknown.plan);
-  EXPECT_EQ(unknown.model, one.model);
+  EXPECT_FALSE(unknown.model);
+  EXPECT_EQ(withObject(unknown).model, one.model);
   EXPECT_TRUE(after(unknown, PlaceStand{1, Pose::Identity()}).plan);
 }
 
@@ -109,7 +111,7 @@ TEST_F(ApplyCommand, ToolsPlanOnlyForAStandThatIsKnownAndEndWhatIsAtItsLimit) {
   EXPECT_EQ(tools.replanned(one).termination, Termination::MaxViews);
   EXPECT_EQ(CommandTools::judged(one).plan, one.plan);
   one.stands.emplace_back();
-  EXPECT_FALSE(tools.planned(one, progress).plan);
+  EXPECT_FALSE(tools.planned(one, progress).plan);  // the model is not that of the stand of now
 }
 
 TEST_F(ApplyCommand, ThatIsCancelledThrows) {

@@ -20,6 +20,8 @@ TEST(Command, KindsAreCalledWhatFilesCallThem) {
   EXPECT_EQ(kindOf(TakeOver{}), "take_over");
   EXPECT_EQ(kindOf(TurnObject{}), "turn_object");
   EXPECT_EQ(kindOf(PlaceStand{}), "place_stand");
+  EXPECT_EQ(kindOf(AlignStand{}), "align");
+  EXPECT_EQ(kindOf(ChooseStandPose{}), "choose_stand_pose");
   EXPECT_EQ(kindOf(ChangeMode{}), "change_mode");
 }
 

@@ -47,6 +47,8 @@ TEST(MayDo, AppliesWhatItAllowsAndRefusesWhatItForbids) {
                                       TurnObject{},
                                       ImportScans{{0}},
                                       PlaceStand{0, Pose::Identity()},
+                                      AlignStand{0},
+                                      ChooseStandPose{0, 0},
                                       ChangeMode{Mode::Assisted}};
   int allowed = 0;
   for (const Command& command : commands) {

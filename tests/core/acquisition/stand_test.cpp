@@ -4,8 +4,8 @@
 
 #include "acquisition/acquisition_state.h"
 #include "acquisition/apply_command.h"
-#include "acquisition/stand_commands.h"
 #include "acquisition/scan_placing.h"
+#include "acquisition/stand_commands.h"
 #include "acquisition/steps.h"
 #include "support/scenes/small_scene.h"
 

@@ -3,6 +3,7 @@
 #include "acquisition/acquisition.h"
 #include "acquisition/memory_journal.h"
 #include "acquisition/scan_placing.h"
+#include "acquisition/stand_composites.h"
 #include "acquisition/steps.h"
 #include "base/errors.h"
 #include "session/session.h"
@@ -112,25 +113,37 @@ TEST(Stands, MovesOfTheTableTieOnlyViewsOfOneStand) {
   EXPECT_NEAR(expectedPose(state, image).translation().x() - image.T_table_scanner.translation().x(), 5.0, 1e-9);
 }
 
-TEST(Stands, ScansOfAStandThatNobodyKnowsWaitUntilItIsPlaced) {
+TEST(Stands, AStandThatNobodyKnowsIsACompositeOfItsOwnUntilItIsPlaced) {
   const auto profile = testing::smallProfile();
   MemoryJournal journal(profile, fewViews(8));
   Acquisition upright(journal, toolsOf(profile, Pose::Identity()));
   upright.scanNext();
   upright.carryOut(TurnObject{});
+  const auto object = journal.state()->aside;
+  ASSERT_EQ(object.size(), 1U);
+  EXPECT_EQ(object[0].composite, kObjectComposite);
+  EXPECT_FALSE(journal.state()->model);
   EXPECT_FALSE(journal.state()->plan);
   Acquisition lying(journal, toolsOf(profile, turnedOver()));
   lying.scanNext();
-  EXPECT_EQ(journal.state()->scans[1].status, ScanStatus::Waiting);
-  EXPECT_EQ(lying.mayScan()->reason, RefusalReason::StandUnknown);
-  EXPECT_EQ(lying.runUntilTheEnd(), Termination::Running);
-  EXPECT_EQ(journal.state()->scans.size(), 2U);
-  lying.carryOut(ChoosePosition{3});
   lying.scanNext();
-  EXPECT_EQ(countScans(*journal.state(), ScanStatus::Waiting), 2U);
+  // As the first stand: its table is the frame, its plan speaks of it alone.
+  const AcquisitionState composite = *journal.state();
+  EXPECT_EQ(countScans(composite, ScanStatus::Aside), 1U);
+  ASSERT_EQ(countScans(composite, ScanStatus::In), 2U);
+  EXPECT_TRUE(composite.plan);
+  EXPECT_EQ(composite.aside[0].model, object[0].model);
+  const View& first = composite.scans[1].view;
+  EXPECT_EQ(first.T_object_scanner.matrix(), first.image->T_table_scanner.matrix());
+  EXPECT_EQ(standsToAlign(composite), std::vector<int>{1});
+  EXPECT_EQ(withObject(composite).model, object[0].model);
   lying.carryOut(PlaceStand{1, turnedOver()});
   EXPECT_EQ(countScans(*journal.state(), ScanStatus::In), 3U);
+  EXPECT_TRUE(journal.state()->aside.empty());
   EXPECT_TRUE(journal.state()->plan);
+  const View& placed = journal.state()->scans[1].view;
+  EXPECT_LT((placed.T_object_scanner.inverse() * turnedOver() * placed.image->T_table_scanner).translation().norm(),
+            1.0);
   EXPECT_FALSE(lying.mayScan());
   EXPECT_EQ(lying.mayDo(PlaceStand{1, turnedOver()})->reason, RefusalReason::StandKnown);
   EXPECT_EQ(lying.mayDo(PlaceStand{2, turnedOver()})->reason, RefusalReason::NoSuchStand);

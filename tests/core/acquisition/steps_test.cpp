@@ -1,5 +1,5 @@
-#include "acquisition/scan_placing.h"
 #include "acquisition/steps.h"
+#include "acquisition/scan_placing.h"
 
 #include <gtest/gtest.h>
 

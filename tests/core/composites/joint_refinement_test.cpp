@@ -34,7 +34,9 @@ TEST(JointRefinement, StraightensACompositeThatWasBent) {
   for (std::size_t v = 0; v < refined.moved.size(); ++v) {
     const Pose truth = stands.T_reference_moved * stands.moved.composite().views[v].T_object_scanner;
     const Pose start = stands.T_reference_moved * moved.composite().views[v].T_object_scanner;
-    for (const Vec3& p : stands.moved.prepared()[v].points.points) {
+    const OrientedVertices& points = stands.moved.prepared()[v].points;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const Vec3& p = points.pointAt(i);
       before += (start * p - truth * p).squaredNorm();
       after += (refined.moved[v] * p - truth * p).squaredNorm();
     }

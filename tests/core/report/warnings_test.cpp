@@ -108,7 +108,8 @@ TEST(Warnings, HaveACodeAndWordsEach) {
   for (int i = 0; i <= static_cast<int>(kLastWarningCode); ++i) {
     const auto code = static_cast<WarningCode>(i);
     names.insert(name(code));
-    texts.insert(describe(Warning{code, 3, Finding{}, 0.1, Termination::MaxViews}));
+    const auto alignment = std::make_shared<const StandAlignment>();
+    texts.insert(describe(Warning{code, 3, Finding{}, 0.1, Termination::MaxViews, 1, alignment}));
   }
   EXPECT_EQ(names.size(), static_cast<std::size_t>(kLastWarningCode) + 1);
   EXPECT_EQ(texts.size(), names.size());

@@ -37,6 +37,10 @@ std::vector<Command> someCommands() {
           TurnObject{pose},
           TurnObject{},
           PlaceStand{1, pose},
+          TurnObject{{}, Vec3(0.0, 0.6, 0.8)},
+          AlignStand{1, {{Vec3(1, 2, 3), Vec3(0.1, 0.2, 0.3)}}},
+          AlignStand{2},
+          ChooseStandPose{1, 2, true},
           ChangeMode{Mode::Assisted}};
 }
 

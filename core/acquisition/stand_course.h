@@ -1,0 +1,33 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "acquisition/acquisition.h"
+#include "acquisition/stand_advice.h"
+
+namespace vantage {
+
+/// How an automatic run goes from stand to stand.
+struct StandCourse {
+  std::optional<int> stands;  ///< how many; nothing: until none would show more than is worth a scan
+};
+
+/// Parses "auto" or a number from 1 up. @throws InvalidInput
+[[nodiscard]] StandCourse parseStandCourse(const std::string& text);
+[[nodiscard]] std::string name(const StandCourse& course);
+
+/// Whether an alignment of the stand of now is worth a try: it is not known yet and has a few views.
+[[nodiscard]] bool mayFindItsPlace(const AcquisitionState& state);
+
+/// Tries to align the stand of now and those that were never tried, and tries again those that failed whenever one did
+/// not. Where poses leave the same surface, the best is chosen.
+/// @param keepFailures also what came of those that cannot be aligned is recorded
+/// @return whether the stand of now became known
+bool alignStands(Acquisition& acquisition, bool keepFailures, const Progress& progress = {});
+
+/// The side that the object is to be put on once the stand of now has ended; nothing when there are stands enough.
+[[nodiscard]] std::optional<StandAdvice> nextStand(const AcquisitionState& state, const StandCourse& course,
+                                                   const Progress& progress = {});
+
+}  // namespace vantage
