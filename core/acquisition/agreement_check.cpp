@@ -21,7 +21,7 @@ void checkAgainstOthers(const AcquisitionState& state, KeptScan& scan, const Ste
   for (const KeptScan* each : scans) views.push_back(each->view);
   views.back().T_object_scanner = scan.record.registration.T_object_scanner;
   const auto contradiction = contradictionOfLast(views, preparedViews(scans, progress.part(0.0, 0.5)), isDoubtful,
-                                                 options.registration, progress.part(0.5, 1.0));
+                                                 state.model->mesh, options.registration, progress.part(0.5, 1.0));
   if (!contradiction) return;
   scan.record.registration.verdict = Verdict::Failed;
   scan.record.registration.finding = {VerdictReason::ContradictsOthers, *contradiction, {}};

@@ -153,7 +153,8 @@ bool settleLooseViews(AcquisitionState& state, const StepOptions& options, const
     views.push_back(scan.view);
     if (found) views.back().T_object_scanner = found->T_object_scanner;
     const bool isGood = found && found->verdict == Verdict::Good;
-    const auto contradiction = contradictionOfLast(views, prepared, !isGood, options.registration, progress);
+    const auto contradiction =
+        contradictionOfLast(views, prepared, !isGood, state.model->mesh, options.registration, progress);
     if (contradiction) {
       scan.status = ScanStatus::Rejected;
       scan.record.registration.verdict = Verdict::Failed;

@@ -65,7 +65,9 @@ bool contradictsOthers(const AcquisitionState& state, const KeptScan& scan, cons
   std::vector<View> views = firmViews(state);
   views.push_back(scan.view);
   views.back().T_object_scanner = place.T_object_scanner;
-  return contradictionOfLast(views, prepareViews(views, progress), true, options.registration, progress).has_value();
+  return contradictionOfLast(views, prepareViews(views, progress), true, state.model->mesh, options.registration,
+                             progress)
+      .has_value();
 }
 
 // A scan that shows next to nothing of the model may well be where it was said to be: a person turned too far.

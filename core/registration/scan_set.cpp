@@ -1,6 +1,7 @@
 #include "registration/scan_set.h"
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <utility>
 
@@ -15,6 +16,8 @@ constexpr std::size_t kAsked = 1000;
 constexpr double kMostContradiction = 0.015;
 // What lies so many spacings in front was looked through.
 constexpr double kThroughSpacings = 2.0;
+// What lies nearer to a point, in these distances, is the point's own surface and does not hide it.
+constexpr double kHidesBeyond = 2.0;
 // Where the pose is doubtful less emptiness speaks against it: right scans miss a twentieth of what others saw.
 constexpr double kMayMissInDoubt = 0.15;
 constexpr int kMostRounds = 3;
@@ -125,14 +128,28 @@ double ScanSet::worth() const {
 }
 
 std::optional<double> contradictionOfLast(std::span<const View> views, std::span<const PreparedView> prepared,
-                                          bool isDoubtful, const IcpOptions& options, const Progress& progress) {
+                                          bool isDoubtful, const Mesh& known, const IcpOptions& options,
+                                          const Progress& progress) {
   if (views.size() < 2) return std::nullopt;
   std::vector<Pose> poses;
   for (const View& view : views) poses.push_back(view.T_object_scanner);
-  const Agreement all =
-      agreementWithOthers(prepared, poses, views.size() - 1, gatesFor(scaleOf(prepared), options), kAsked, progress);
+  const PairGates gates = gatesFor(scaleOf(prepared), options);
   const double mayMiss = isDoubtful ? kMayMissInDoubt : kMayMiss;
-  if (!contradict(all, kMostContradiction, mayMiss)) return std::nullopt;
+  const auto withOthers = [&](const KnownSurface* surface, const Progress& part) {
+    return agreementWithOthers(prepared, poses, views.size() - 1, gates, kAsked, surface, part);
+  };
+  const auto contradicts = [&](const Agreement& all) { return contradict(all, kMostContradiction, mayMiss); };
+  Agreement all = withOthers(nullptr, progress.part(0.0, 0.3));
+  Agreement withoutEmpty = all;
+  withoutEmpty.empty = 0.0;
+  if (contradicts(all) && !contradicts(withoutEmpty)) {
+    Mesh last = views.back().mesh->mesh;
+    for (Vec3& vertex : last.vertices) vertex = poses.back() * vertex;
+    const std::array<const Mesh*, 2> meshes{&known, &last};
+    const KnownSurface surface(meshes, kHidesBeyond * gates.distance, progress.part(0.3, 0.7));
+    all = withOthers(&surface, progress.part(0.7, 1.0));
+  }
+  if (!contradicts(all)) return std::nullopt;
   return all.contradiction(mayMiss);
 }
 

@@ -28,9 +28,12 @@ struct ScanSet {
 /// How much the last view contradicts all others under their poses [share of points, 0..1]; nothing where it does not.
 /// @param prepared one per view
 /// @param isDoubtful whether its pose is: less speaks against it then
+/// @param known surface in the frame of the poses: where that, or the view's own, hides a point from a scanner, it says
+///        nothing that the scanner saw none there
 /// @throws Cancelled
 [[nodiscard]] std::optional<double> contradictionOfLast(std::span<const View> views,
                                                         std::span<const PreparedView> prepared, bool isDoubtful,
-                                                        const IcpOptions& options, const Progress& progress);
+                                                        const Mesh& known, const IcpOptions& options,
+                                                        const Progress& progress);
 
 }  // namespace vantage

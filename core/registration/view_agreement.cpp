@@ -16,6 +16,14 @@ constexpr double kMayFly = 8.0;
 // Fewer expected points say nothing.
 constexpr double kFewest = 25.0;
 
+// Whether a receiver is on the side of a surface that the scanner saw: none can measure what turns away from all.
+bool facesReceiver(const Vec3& point, const Vec3& normal, const RayGrid& rays, std::size_t ray) {
+  if (!rays.triangulates()) return true;
+  const auto receivers = rays.receivers(ray);
+  return std::any_of(receivers.begin(), receivers.end(),
+                     [&](const Vec3& receiver) { return normal.dot(receiver - point) > 0.0; });
+}
+
 Agreement between(std::span<const Agreement> agreements, std::size_t n, std::size_t i, std::size_t j) {
   Agreement both = agreements[i * n + j];
   both += agreements[j * n + i];
@@ -39,7 +47,7 @@ double Agreement::contradiction(double mayMiss) const {
 }
 
 Agreement agreementOf(const PreparedView& from, const PreparedView& to, const Pose& T_to_from, const PairGates& gates,
-                      std::size_t count) {
+                      std::size_t count, const Hiding& hiding) {
   const auto ids = thinned(allIndices(from.points.size()), count);
   std::vector<std::optional<GridPosition>> positions(ids.size());
   std::vector<Pair> pairs(ids.size());
@@ -53,7 +61,13 @@ Agreement agreementOf(const PreparedView& from, const PreparedView& to, const Po
     if (pairs[k].state != PairState::Unseen || !positions[k]) continue;
     const Vec3 normal = T_to_from.linear() * from.points.normalAt(ids[k]);
     if (normal.dot(to.surface.directionAt(*positions[k])) > -kPlainlyFacing) continue;
-    if (to.surface.isEmptyAround(*positions[k])) found.empty += 1.0;
+    if (!to.surface.isEmptyAround(*positions[k])) continue;
+    const RayGrid& rays = *to.image->rays;
+    const std::size_t ray = rays.nearest(*positions[k]);
+    const Vec3 point = T_to_from * from.points.pointAt(ids[k]);
+    if (!facesReceiver(point, normal, rays, ray)) continue;
+    if (hiding.surface != nullptr && hiding.surface->hides(point, rays, ray, hiding.T_surface_to)) continue;
+    found.empty += 1.0;
   }
   return found;
 }
@@ -71,12 +85,13 @@ std::vector<Agreement> agreements(std::span<const PreparedView> views, std::span
 }
 
 Agreement agreementWithOthers(std::span<const PreparedView> views, std::span<const Pose> poses, std::size_t view,
-                              const PairGates& gates, std::size_t count, const Progress& progress) {
+                              const PairGates& gates, std::size_t count, const KnownSurface* known,
+                              const Progress& progress) {
   std::vector<Agreement> each(views.size());
   parallelChunks(views.size(), 1, progress, [&](std::size_t i, std::size_t) {
     if (i == view) return;
-    each[i] = agreementOf(views[i], views[view], poses[view].inverse() * poses[i], gates, count);
-    each[i] += agreementOf(views[view], views[i], poses[i].inverse() * poses[view], gates, count);
+    each[i] = agreementOf(views[i], views[view], poses[view].inverse() * poses[i], gates, count, {known, poses[view]});
+    each[i] += agreementOf(views[view], views[i], poses[i].inverse() * poses[view], gates, count, {known, poses[i]});
   });
   Agreement all;
   for (const Agreement& agreement : each) all += agreement;

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "registration/known_surface.h"
 #include "registration/view_network.h"
 
 namespace vantage {
@@ -15,7 +16,7 @@ inline constexpr double kMayMiss = 0.4;
 struct Agreement {
   double paired = 0.0;   ///< surface lies where the other saw it
   double through = 0.0;  ///< the other looked through it
-  double empty = 0.0;    ///< it faces the other, which saw nothing there nor next to it
+  double empty = 0.0;    ///< it faces the other and its receivers, which saw nothing there nor next to it
   double turned = 0.0;   ///< near, with another normal
   double behind = 0.0;   ///< a little behind the other's surface
 
@@ -27,9 +28,15 @@ struct Agreement {
   [[nodiscard]] double contradiction(double mayMiss = kMayMiss) const;
 };
 
+/// What is known to hide points from the views: nothing, or surface in the frame of the poses.
+struct Hiding {
+  const KnownSurface* surface = nullptr;
+  Pose T_surface_to = Pose::Identity();  ///< where the scanner of `to` is
+};
+
 /// Looks about `count` points of `from` up on `to`; through is what lies in front by more than the gate.
 [[nodiscard]] Agreement agreementOf(const PreparedView& from, const PreparedView& to, const Pose& T_to_from,
-                                    const PairGates& gates, std::size_t count);
+                                    const PairGates& gates, std::size_t count, const Hiding& hiding = {});
 
 /// Both directions of all pairs: [i * n + j] of points of i on j, zero for i = j. @throws Cancelled
 [[nodiscard]] std::vector<Agreement> agreements(std::span<const PreparedView> views, std::span<const Pose> poses,
@@ -43,10 +50,11 @@ struct Agreement {
 [[nodiscard]] std::vector<std::optional<double>> contradicting(std::span<const Agreement> agreements,
                                                                std::span<const int> trust, double most);
 
-/// What one view and all others say about each other. @throws Cancelled
+/// What one view and all others say about each other.
+/// @param known what may hide points from them, or nothing @throws Cancelled
 [[nodiscard]] Agreement agreementWithOthers(std::span<const PreparedView> views, std::span<const Pose> poses,
                                             std::size_t view, const PairGates& gates, std::size_t count,
-                                            const Progress& progress);
+                                            const KnownSurface* known, const Progress& progress);
 
 /// Whether more than the share `most` of so many points contradicts, and plainly so.
 [[nodiscard]] bool contradict(const Agreement& both, double most, double mayMiss = kMayMiss);

@@ -53,6 +53,28 @@ TEST(ScanSet, LeavesOutTheFirstScanWhenItIsTheOddOne) {
   EXPECT_EQ(set.refinement.poses.size(), 4U);
 }
 
+// A box without lid, on its side: its mouth looks at the scanner of position 0.
+Mesh lyingBox() {
+  Mesh box = testing::makeBox(Vec3(-50, -30, 20), Vec3(50, 30, 80), 24);
+  std::erase_if(box.triangles, [&](const Triangle& t) {
+    return std::all_of(t.begin(), t.end(), [&](std::uint32_t v) { return box.vertices[v].x() > 49.9; });
+  });
+  Mesh inside = box;
+  for (Triangle& t : inside.triangles) std::swap(t[0], t[1]);
+  for (Vec3& v : inside.vertices)
+    v = Vec3(0.0, 0.0, 50.0) + Vec3(1.0, 0.95, 0.95).cwiseProduct(v - Vec3(0.0, 0.0, 50.0));
+  return testing::joined(box, inside);
+}
+
+TEST(ScanSet, SeesNoContradictionInWhatTheMouthOfABoxHides) {
+  const Mesh box = lyingBox();
+  const auto profile = testing::makeProfile(0.05);
+  const std::vector<View> views{testing::scanFrom(box, profile, 5, 1), testing::scanFrom(box, profile, 0, 2)};
+  const auto prepared = prepareViews(views, {});
+  EXPECT_TRUE(contradictionOfLast(views, prepared, true, Mesh{}, {}, {}));
+  EXPECT_FALSE(contradictionOfLast(views, prepared, true, box, {}, {}));
+}
+
 TEST(PlacedViews, BeginsWithTheFirstScanWhereItBelongs) {
   const std::vector<View> views = ballScans();
   const PlacedViews placement = placeViews(prepareViews(views, {}), posesOf(views), {}, {});
