@@ -100,10 +100,9 @@ std::optional<double> turned(const Workspace& workspace, int from, int to) {
   return std::abs(turn.tilt) < kSameTilt ? std::optional(turn.angle) : std::nullopt;
 }
 
-// Where a scan by hand shows too little of what is known, the table is turned half as far from the nearest view.
+// Where a scan shows too little of what is known, the table is turned half as far from the nearest view.
 std::optional<int> halfWay(const AcquisitionState& state, const KeptScan& failed) {
-  if (failed.record.registration.finding.reason != VerdictReason::FewPairs || !turnedByGuess(*failed.view.image))
-    return std::nullopt;
+  if (failed.record.registration.finding.reason != VerdictReason::FewPairs) return std::nullopt;
   const Workspace& workspace = state.profile->workspace;
   const int to = *failed.station().position;
   std::optional<double> least;
@@ -130,12 +129,15 @@ std::optional<int> halfWay(const AcquisitionState& state, const KeptScan& failed
   return best;
 }
 
-// The best position by the last plan that has clearly more overlap; for a person a smaller turn. A baseline goes on as
-// it would have.
+// The best position by the last plan that has clearly more overlap, else a smaller turn. A baseline goes on as it would
+// have.
 NextScan afterFailures(const AcquisitionState& state, const std::vector<const KeptScan*>& failures) {
   if (failures.size() >= kMostFailures || !state.model) return Ended{Termination::RegistrationFailed};
   const auto nearer = halfWay(state, *failures.back());
-  if (!state.plan) return nearer ? NextScan(ScanFrom{*nearer}) : fromBaseline(state);
+  if (!state.plan) {
+    const bool byHand = turnedByGuess(*failures.back()->view.image);
+    return nearer && byHand ? NextScan(ScanFrom{*nearer}) : fromBaseline(state);
+  }
   const auto failed = static_cast<std::size_t>(*failures.back()->station().position);
   const double enough = kMoreOverlap * state.plan->scores[failed].overlapArea;
   const PositionScore* best = nullptr;

@@ -17,6 +17,8 @@ constexpr int kLeastViews = 3;
 constexpr int kMostStands = 12;
 // So many stands in a row that came to nothing say that no other will come to more.
 constexpr int kMostUseless = 2;
+// What is worth turning the object over and scanning it a few times, as a share of what is known of it.
+constexpr double kWorthAStand = 0.005;
 
 bool isKnown(const AcquisitionState& state, int stand) {
   return compositeOf(state, stand) == kObjectComposite;
@@ -42,12 +44,14 @@ double addedBy(const AcquisitionState& object, int stand) {
   return added;
 }
 
-// The stands up to the one of now that found no place, or added no more to the object than is worth a scan.
+// The stands up to the one of now that found no place, or added no more to the object than is worth a stand.
 int uselessInARow(const AcquisitionState& state) {
   const AcquisitionState object = withObject(state);
+  const double known = object.model ? area(object.model->mesh) : 0.0;
+  const double least = std::max(leastGain(state), kWorthAStand * known);
   int useless = 0;
   for (int stand = state.stand(); stand > 0; --stand, ++useless)
-    if (isKnown(state, stand) && addedBy(object, stand) > leastGain(state)) break;
+    if (isKnown(state, stand) && addedBy(object, stand) > least) break;
   return useless;
 }
 

@@ -138,6 +138,38 @@ TEST(NextScan, APersonWhoTurnedTooFarIsAskedForHalfTheTurn) {
   EXPECT_EQ(nextPosition(contradicts), 8);
 }
 
+// A table that was sent where next to nothing of the object shows, though as much was to overlap as anywhere else.
+AcquisitionState sentTooFar(const std::vector<std::pair<ScanStatus, int>>& scans) {
+  AcquisitionState state = stateWith(scans);
+  for (KeptScan& scan : state.scans) scan.record.registration.finding.reason = VerdictReason::FewPairs;
+  Plan plan;
+  for (int i = 0; i < 24; ++i) {
+    PositionScore score;
+    score.position = i;
+    score.overlapArea = 500.0;
+    score.constraint = Constraint::Outscored;
+    plan.scores.push_back(score);
+  }
+  state.plan = std::make_shared<const Plan>(plan);
+  return state;
+}
+
+TEST(NextScan, ATableThatTurnedTooFarTurnsHalfAsFar) {
+  const auto in = ScanStatus::In;
+  const auto out = ScanStatus::Rejected;
+  EXPECT_EQ(nextPosition(sentTooFar({{in, 0}, {out, 8}})), 4);
+  EXPECT_EQ(nextPosition(sentTooFar({{in, 0}, {out, 8}, {out, 4}})), 2);
+  AcquisitionState contradicts = sentTooFar({{in, 0}, {out, 8}});
+  contradicts.scans[1].record.registration.finding.reason = VerdictReason::Conflicts;
+  EXPECT_EQ(terminationOf(nextScan(contradicts)), Termination::RegistrationFailed);
+  // Where clearly more is to overlap, it is not the turn.
+  AcquisitionState better = sentTooFar({{in, 0}, {out, 8}});
+  Plan plan = *better.plan;
+  plan.scores[21].overlapArea = 900.0;
+  better.plan = std::make_shared<const Plan>(plan);
+  EXPECT_EQ(nextPosition(better), 21);
+}
+
 TEST(NextScan, FourFailuresInARowEndIt) {
   std::vector<std::pair<ScanStatus, int>> scans{{ScanStatus::In, 0}};
   for (int i = 1; i <= 4; ++i) {
