@@ -9,6 +9,7 @@ namespace vantage {
 struct AlignmentLimits {
   RegistrationScale scale;  ///< of both composites together
   double size = 1.0;        ///< across the larger composite [mm]
+  double residual = 0.0;    ///< how far views of one composite lie off each other, the larger of both [mm]
 
   [[nodiscard]] double voxel() const;       ///< side of the cubes of a field (2.5) [mm]
   [[nodiscard]] double margin() const;      ///< of a field (32) [mm]

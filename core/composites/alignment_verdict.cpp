@@ -11,9 +11,11 @@ namespace {
 // The most stretched of some dozens of ties, as long as they are right [sigmas].
 constexpr double kUsualTension = 3.0;
 
-// What noise and spacing of the samples let the residual of a right pose be.
+// What noise and spacing of the samples let the residual of a right pose be; and where the views of one composite do
+// not lie on each other better than that, those of two will not either, up to a share of the spacing.
 double residualLimit(const AlignmentLimits& limits) {
-  return 1.5 * limits.scale.noise + 0.05 * limits.scale.spacing;
+  const double explained = 1.5 * limits.scale.noise + 0.05 * limits.scale.spacing;
+  return std::max(explained, std::min(1.5 * limits.residual, 0.25 * limits.scale.spacing));
 }
 
 bool isRival(const AlignedPose& pose, const AlignedPose& best, const AlignmentLimits& limits,

@@ -17,7 +17,9 @@ constexpr double kSameOverlap = 0.5;
 class Alignment {
  public:
   Alignment(const CompositeModel& reference, const CompositeModel& moved, const CompositeAlignmentOptions& options)
-      : reference_(reference), moved_(moved), options_(options), limits_(limitsOf(reference.scale(), moved.scale())) {}
+      : reference_(reference), moved_(moved), options_(options), limits_(limitsOf(reference.scale(), moved.scale())) {
+    limits_.residual = std::max(reference.residual(), moved.residual());
+  }
 
   [[nodiscard]] CompositeAlignment judged(std::span<const FoundPose> found, const Progress& progress) const {
     CompositeAlignment result;

@@ -7,6 +7,7 @@
 
 #include "base/errors.h"
 #include "composites/alignment_limits.h"
+#include "registration/icp.h"
 
 namespace vantage {
 namespace {
@@ -32,6 +33,22 @@ void check(const Composite& composite) {
                          std::to_string(tie.to) + ", expected two of " + std::to_string(views) + " views");
 }
 
+// Points of the links between the views that say how well these fit each other.
+constexpr std::size_t kLinkPoints = 20'000;
+constexpr std::size_t kLeastLinkPoints = 200;
+constexpr double kLeastOverlap = 0.1;
+
+double residualOf(const std::vector<View>& views, std::span<const PreparedView> prepared, const Progress& progress) {
+  std::vector<Pose> poses;
+  for (const View& view : views) poses.push_back(view.T_object_scanner);
+  const RegistrationScale scale = scaleOf(prepared);
+  const PairGates gates{fineGate(scale), *resolved(IcpOptions{}, scale).hiddenDepth, IcpOptions{}.finalAngle};
+  std::vector<ViewLink> links =
+      findLinks(prepared, poses, gates, kLeastOverlap, kLinkPoints, kLeastLinkPoints, progress.part(0.0, 0.8));
+  findPairs(prepared, poses, gates, progress.part(0.8, 1.0), links);
+  return deviation(links);
+}
+
 }  // namespace
 
 CompositeModel::CompositeModel(Composite composite, const Progress& all) : composite_(std::move(composite)) {
@@ -47,7 +64,8 @@ CompositeModel::CompositeModel(Composite composite, const Progress& all) : compo
   if (this->points(PointLevel::Fine).empty())
     throw InvalidInput("a composite has no surface away from its border, so there is nothing to align");
   prepared_ =
-      std::make_shared<const std::vector<PreparedView>>(prepareViews(composite_.views, progress.part(0.1, 0.4)));
+      std::make_shared<const std::vector<PreparedView>>(prepareViews(composite_.views, progress.part(0.1, 0.3)));
+  residual_ = residualOf(composite_.views, *prepared_, progress.part(0.3, 0.4));
   scale_ = scaleOf(*prepared_);
   measure();
   const AlignmentLimits limits = limitsOf(scale_, scale_);

@@ -38,6 +38,9 @@ class CompositeModel {
   [[nodiscard]] const RayCaster& caster() const { return *caster_; }
   /// Of the views; the extent is that of the whole composite about its centroid.
   [[nodiscard]] const RegistrationScale& scale() const { return scale_; }
+  /// How far its views lie off each other where they overlap, robust deviation [mm]; 0 for a single one. What is wrong
+  /// with a real scanner beyond its noise shows here.
+  [[nodiscard]] double residual() const { return residual_; }
   [[nodiscard]] const Vec3& centroid() const { return centroid_; }  ///< of the surface [mm]
   [[nodiscard]] double radius() const { return radius_; }           ///< RMS distance of the surface from it [mm]
   [[nodiscard]] const std::vector<PreparedView>& prepared() const { return *prepared_; }
@@ -57,6 +60,7 @@ class CompositeModel {
   std::shared_ptr<const RayCaster> caster_;
   std::shared_ptr<const std::vector<PreparedView>> prepared_;
   RegistrationScale scale_;
+  double residual_ = 0.0;
   Vec3 centroid_ = Vec3::Zero();
   double radius_ = 1.0;
 };

@@ -32,6 +32,17 @@ TEST(AlignmentVerdict, OnePossiblePoseIsGood) {
   EXPECT_EQ(judgement.choice, std::vector<std::size_t>{0});
 }
 
+TEST(AlignmentVerdict, CompositesThatDoNotFitThemselvesBetterNeedNotFitEachOther) {
+  const std::vector<AlignedPose> poses{poseWith({0.5, 0.25, 0.0, 0.0, 0.0})};
+  EXPECT_EQ(judged(poses).reason, AlignmentReason::OtherObject);
+  AlignmentLimits limits = kLimits;
+  limits.residual = 0.2;
+  EXPECT_EQ(judgeAlignment(poses, limits, {}).verdict, AlignmentVerdict::Good);
+  // But for what is no fit at all.
+  limits.residual = 2.0;
+  EXPECT_EQ(judgeAlignment({{poseWith({0.5, 0.35, 0.0, 0.0, 0.0})}}, limits, {}).reason, AlignmentReason::OtherObject);
+}
+
 TEST(AlignmentVerdict, TwoThatArePossibleAreAmbiguous) {
   const auto judgement = judged({poseWith(kRight), poseWith({0.4, 0.12, 0.001, 0.0, 0.0})});
   EXPECT_EQ(judgement.verdict, AlignmentVerdict::Ambiguous);

@@ -19,6 +19,7 @@ TEST(CompositeModel, KnowsPointsAndScaleOfItsComposite) {
   EXPECT_GT(model.scale().spacing, 1.5);
   EXPECT_LT(model.scale().spacing, 4.0);
   EXPECT_NEAR(model.scale().noise, 0.1, 0.08);
+  EXPECT_NEAR(model.residual(), 0.1, 0.08);
   EXPECT_GT(model.scale().extent, 70.0);
   EXPECT_LT(model.scale().extent, 130.0);
   EXPECT_EQ(model.prepared().size(), model.composite().views.size());
