@@ -136,6 +136,47 @@ TEST(NextScan, APersonWhoTurnedTooFarIsAskedForHalfTheTurn) {
   EXPECT_EQ(nextPosition(contradicts), 8);
 }
 
+// The same with a plan by which no position overlaps more than another.
+AcquisitionState turnedWrong(const std::vector<std::pair<ScanStatus, int>>& scans, VerdictReason reason) {
+  AcquisitionState state = turnedTooFar(scans);
+  state.settings.strategy = {};
+  Plan plan;
+  plan.outcome = PlanOutcome::Found;
+  for (int i = 0; i < static_cast<int>(state.profile->workspace.size()); ++i) {
+    PositionScore score;
+    score.position = i;
+    score.overlapArea = 100.0;
+    score.constraint = Constraint::Outscored;
+    plan.scores.push_back(score);
+  }
+  state.plan = std::make_shared<const Plan>(std::move(plan));
+  for (KeptScan& scan : state.scans) scan.record.registration.finding.reason = reason;
+  return state;
+}
+
+TEST(NextScan, APersonWhoTurnedWrongIsAskedOnceMoreThenForHalfTheTurn) {
+  const auto in = ScanStatus::In;
+  const auto out = ScanStatus::Rejected;
+  const auto next = [](const AcquisitionState& state) { return nextPosition(state); };
+  const auto reason = VerdictReason::OtherTurn;
+  EXPECT_EQ(next(turnedWrong({{in, 0}, {out, 4}}, reason)), 4);
+  EXPECT_EQ(next(turnedWrong({{in, 0}, {out, 4}, {out, 4}}, reason)), 2);
+  EXPECT_EQ(next(turnedWrong({{in, 0}, {out, 4}, {out, 4}, {out, 2}}, reason)), 2);
+  EXPECT_EQ(terminationOf(nextScan(turnedWrong({{in, 0}, {out, 4}, {out, 4}, {out, 2}, {out, 2}}, reason))),
+            Termination::RegistrationFailed);
+  // Where no position lies between, the same again.
+  EXPECT_EQ(next(turnedWrong({{in, 0}, {out, 1}, {out, 1}}, reason)), 1);
+  // Too little overlap gets no better by turning there again.
+  EXPECT_EQ(next(turnedWrong({{in, 0}, {out, 4}}, VerdictReason::FewPairs)), 2);
+  // A table that moves by itself would do the same again.
+  AcquisitionState byTable = turnedWrong({{in, 0}, {out, 4}}, reason);
+  RangeImage image = *byTable.scans[1].view.image;
+  image.poseKnownBy = PoseSource::Commanded;
+  image.poseUncertainty.reset();
+  byTable.scans[1].view.image = std::make_shared<const RangeImage>(std::move(image));
+  EXPECT_EQ(terminationOf(nextScan(byTable)), Termination::RegistrationFailed);
+}
+
 TEST(NextScan, FourFailuresInARowEndIt) {
   std::vector<std::pair<ScanStatus, int>> scans{{ScanStatus::In, 0}};
   for (int i = 1; i <= 4; ++i) {
