@@ -17,6 +17,9 @@
 namespace vantage {
 namespace {
 
+// How firmly a view is held of which nobody knows where it is: surfaces that hold it are many times firmer.
+constexpr Mechanics kLooseHold{radians(2.0), 5.0};
+
 // What the mechanics know of the motions between views that follow each other in one stand. Between stands the object
 // was moved by hand.
 std::vector<PoseTie> tiesOf(const std::vector<const KeptScan*>& scans, const StepOptions& options) {
@@ -29,6 +32,18 @@ std::vector<PoseTie> tiesOf(const std::vector<const KeptScan*>& scans, const Ste
     if (const auto prior = priorOf(options, *scans[i - 1], *scans[i])) ties.push_back({i - 1, i, T_from_to, *prior});
   }
   return ties;
+}
+
+// Loose views stay about where they were registered: along what holds them too little noise alone would move them, the
+// farther the more views there are.
+void tieLooseViews(const AcquisitionState& state, const std::vector<const KeptScan*>& scans,
+                   std::vector<PoseTie>& ties) {
+  for (std::size_t i = 1; i < scans.size(); ++i) {
+    if (!isLoose(*scans[i])) continue;
+    const auto& T_object_table = state.stands[static_cast<std::size_t>(scans[i]->station().stand)].T_object_table;
+    const Pose T_from_to = scans[0]->view.T_object_scanner.inverse() * scans[i]->record.registration.T_object_scanner;
+    ties.push_back({0, i, T_from_to, aboutTable(turntablePrior(kLooseHold), *T_object_table)});
+  }
 }
 
 // What later scans may settle: where nothing spoke against the pose, and the mechanics alone for it.
@@ -55,7 +70,9 @@ void refine(AcquisitionState& state, const StepOptions& options, const Progress&
   const std::vector<PreparedView> prepared =
       preparedViews(scansOf(state, ScanStatus::In), progress.part(0.0, 0.1, "refine"));
   MultiViewOptions refinement = options.refinement;
-  refinement.ties = tiesOf(scansOf(state, ScanStatus::In), options);
+  const std::vector<const KeptScan*> scans = scansOf(state, ScanStatus::In);
+  refinement.ties = tiesOf(scans, options);
+  tieLooseViews(state, scans, refinement.ties);
   const MultiViewResult refined = refinePrepared(views, prepared, refinement, progress.part(0.1, 1.0));
   std::size_t i = 0;
   for (KeptScan& scan : state.scans) {
