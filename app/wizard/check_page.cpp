@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "form_parts.h"
+#include "planning/turn_spread.h"
 #include "report/wording.h"
 #include "why_card.h"
 #include "wizard/device_box.h"
@@ -137,14 +138,23 @@ void CheckPage::refreshTestTurn() {
   turnFigures_->add(tr("Turn measured"), figureText(degrees(result->measured), 2) + QStringLiteral("°"));
   turnFigures_->add(tr("Axis moved by"), figureText(result->axisOffset, 2) + tr(" mm"));
   const bool failed = result->registration.verdict == Verdict::Failed;
+  const bool byHand = isGuess(result->errors);
   const bool off = !failed && !result->asExpected();
   turnVerdict_->setText(
       failed ? tr("The scans do not fit: %1").arg(translated(phraseOf(result->registration.finding)))
-      : off  ? tr("The scans fit, but not where the profile expects the table after its turn: compare the figures, and "
-                   "calibrate the table or mend its profile.")
+      : off && byHand
+          ? tr("The scans fit, but the table was turned farther off than is expected of a person: turn it once more.")
+      : off ? tr("The scans fit, but not where the profile expects the table after its turn: compare the figures, and "
+                 "calibrate the table or mend its profile.")
       : result->registration.verdict == Verdict::Doubtful
           ? tr("The scans fit, but hold on to each other too little to measure the turn: %1")
                 .arg(translated(phraseOf(result->registration.finding)))
+      : byHand
+          ? tr("The scans fit. The person turned the table by %1° where %2° were asked for, as the scans tell to about "
+               "%3° and %4 mm. How well the table itself turns, a turn by hand does not tell.")
+                .arg(figureText(degrees(result->measured), 1), figureText(degrees(result->expected), 1),
+                     figureText(degrees(TestTurn::kScanAngle * TestTurn::kSigmas), 1),
+                     figureText(TestTurn::kScanOffset * TestTurn::kSigmas, 1))
           : tr("The scans fit. The table turns as expected."));
   setRole(*turnVerdict_, failed || off ? "warning" : "");
 }

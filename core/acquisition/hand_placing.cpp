@@ -22,6 +22,8 @@ constexpr double kReach = radians(3.0);
 // Hands are not trusted beyond so many sigmas: a turn has two ends.
 constexpr double kFarthest = 3.2;
 constexpr double kWidest = radians(180.0);
+// Where little tells turns apart, the best of them by a glance need not be it: so many are registered.
+constexpr std::size_t kTried = 12;
 // A pose is known when it is sure to this share of the sample spacing.
 constexpr double kKnown = 0.4;
 
@@ -62,12 +64,24 @@ Search searchFor(const AcquisitionState& state, const KeptScan& scan, const Step
   return search;
 }
 
+// Where the few best turns by a glance lead nowhere: the one that is good among more of them.
+std::optional<RegistrationResult> goodAmongMore(const Search& search, const ViewSurface& surface,
+                                                const RegistrationTarget& target, const Progress& progress) {
+  const auto isSure = [](const std::optional<FittingPose>& fits) {
+    return fits && fits->registration.verdict == Verdict::Good && fits->rivalDistance == 0.0;
+  };
+  auto fits = poseThatFits(surface, search.poses, target, search.free, progress.part(0.0, 0.5), kTried);
+  if (!isSure(fits))
+    fits = poseThatFits(surface, search.poses, target, search.onTable, progress.part(0.5, 1.0), kTried);
+  return isSure(fits) ? std::optional(fits->registration) : std::nullopt;
+}
+
 // Nothing where the scan fits nowhere by itself.
 std::optional<RegistrationResult> foundIn(const Search& search, const ViewSurface& surface,
                                           const RegistrationTarget& target, const Progress& progress) {
-  auto fits = poseThatFits(surface, search.poses, target, search.free, progress.part(0.0, 0.5));
-  if (!fits) fits = poseThatFits(surface, search.poses, target, search.onTable, progress.part(0.5, 1.0));
-  if (!fits) return std::nullopt;
+  auto fits = poseThatFits(surface, search.poses, target, search.free, progress.part(0.0, 0.3));
+  if (!fits) fits = poseThatFits(surface, search.poses, target, search.onTable, progress.part(0.3, 0.6));
+  if (!fits) return goodAmongMore(search, surface, target, progress.part(0.6, 1.0));
   if (fits->rivalDistance > 0.0) {
     fits->registration.verdict = Verdict::Doubtful;
     fits->registration.finding = {VerdictReason::Rival, fits->rivalDistance, {}};
@@ -102,10 +116,15 @@ bool isLoose(const KeptScan& scan) {
   return turnedByGuess(*scan.view.image) && isUnknown(scan.record.registration, scan.view.mesh->spacing);
 }
 
+std::vector<const KeptScan*> firmScans(const AcquisitionState& state) {
+  std::vector<const KeptScan*> scans = scansOf(state, ScanStatus::In);
+  std::erase_if(scans, [](const KeptScan* scan) { return isLoose(*scan); });
+  return scans;
+}
+
 std::vector<View> firmViews(const AcquisitionState& state) {
   std::vector<View> views;
-  for (const KeptScan& scan : state.scans)
-    if (scan.status == ScanStatus::In && !isLoose(scan)) views.push_back(scan.view);
+  for (const KeptScan* scan : firmScans(state)) views.push_back(scan->view);
   return views;
 }
 
@@ -142,9 +161,7 @@ bool settleLooseViews(AcquisitionState& state, const StepOptions& options, const
   for (KeptScan& scan : state.scans) {
     if (!isLoose(scan)) continue;
     const std::vector<View> firm = firmViews(state);
-    std::vector<const KeptScan*> scans;
-    for (const KeptScan& other : state.scans)
-      if (other.status == ScanStatus::In && !isLoose(other)) scans.push_back(&other);
+    std::vector<const KeptScan*> scans = firmScans(state);
     scans.push_back(&scan);
     const std::vector<PreparedView> prepared = preparedViews(scans, progress);
     const auto found =

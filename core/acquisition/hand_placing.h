@@ -21,7 +21,8 @@ namespace vantage {
 /// the views whose place is known says how far. What fits such views only is as loose as they are.
 [[nodiscard]] bool isLoose(const KeptScan& scan);
 
-/// The views of the model whose place is known; all where the place of every one is.
+/// The views of the model whose place is known; all where the place of every one is. They live as long as the state.
+[[nodiscard]] std::vector<const KeptScan*> firmScans(const AcquisitionState& state);
 [[nodiscard]] std::vector<View> firmViews(const AcquisitionState& state);
 
 /// What a scan is registered with: the views whose place is known where that is not all of them, else the model.

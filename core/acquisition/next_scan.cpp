@@ -100,9 +100,8 @@ std::optional<double> turned(const Workspace& workspace, int from, int to) {
   return std::abs(turn.tilt) < kSameTilt ? std::optional(turn.angle) : std::nullopt;
 }
 
-// Where a scan shows too little of what is known, the table is turned half as far from the nearest view.
+// Where the table is to be turned half as far from the nearest view.
 std::optional<int> halfWay(const AcquisitionState& state, const KeptScan& failed) {
-  if (failed.record.registration.finding.reason != VerdictReason::FewPairs) return std::nullopt;
   const Workspace& workspace = state.profile->workspace;
   const int to = *failed.station().position;
   std::optional<double> least;
@@ -129,15 +128,28 @@ std::optional<int> halfWay(const AcquisitionState& state, const KeptScan& failed
   return best;
 }
 
-// The best position by the last plan that has clearly more overlap, else a smaller turn. A baseline goes on as it would
-// have.
+// Whether a person was asked for the same position twice in a row, and failed.
+bool failedAgain(const std::vector<const KeptScan*>& failures) {
+  return failures.size() > 1 &&
+         failures[failures.size() - 2]->station().position == failures.back()->station().position;
+}
+
+// Where a scan shows too little of what is known, half the turn is asked for, of a table only by a plan; of a person
+// also where a second one failed, who else is asked to turn again.
+std::optional<int> askedAgain(const AcquisitionState& state, const std::vector<const KeptScan*>& failures) {
+  const KeptScan& failed = *failures.back();
+  const bool tooFar = failed.record.registration.finding.reason == VerdictReason::FewPairs;
+  if (!turnedByGuess(*failed.view.image)) return tooFar && state.plan ? halfWay(state, failed) : std::nullopt;
+  if (const auto nearer = tooFar || failedAgain(failures) ? halfWay(state, failed) : std::nullopt) return nearer;
+  return tooFar || !state.plan ? std::nullopt : failed.station().position;
+}
+
+// The best position by the last plan that has clearly more overlap; a person is asked again where none has. A baseline
+// goes on as it would have, but for a person who turned too far.
 NextScan afterFailures(const AcquisitionState& state, const std::vector<const KeptScan*>& failures) {
   if (failures.size() >= kMostFailures || !state.model) return Ended{Termination::RegistrationFailed};
-  const auto nearer = halfWay(state, *failures.back());
-  if (!state.plan) {
-    const bool byHand = turnedByGuess(*failures.back()->view.image);
-    return nearer && byHand ? NextScan(ScanFrom{*nearer}) : fromBaseline(state);
-  }
+  const auto again = askedAgain(state, failures);
+  if (!state.plan) return again ? NextScan(ScanFrom{*again}) : fromBaseline(state);
   const auto failed = static_cast<std::size_t>(*failures.back()->station().position);
   const double enough = kMoreOverlap * state.plan->scores[failed].overlapArea;
   const PositionScore* best = nullptr;
@@ -145,7 +157,7 @@ NextScan afterFailures(const AcquisitionState& state, const std::vector<const Ke
     const bool allowed = score.constraint == Constraint::Outscored && score.overlapArea > enough;
     if (allowed && (best == nullptr || promise(score) > promise(*best))) best = &score;
   }
-  if (best == nullptr && nearer) return ScanFrom{*nearer, state.plan->scores[static_cast<std::size_t>(*nearer)]};
+  if (best == nullptr && again) return ScanFrom{*again, state.plan->scores[static_cast<std::size_t>(*again)]};
   if (best == nullptr) return Ended{Termination::RegistrationFailed};
   return ScanFrom{best->position, *best};
 }

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "acquisition/hand_placing.h"
+#include "acquisition/prepared_scans.h"
 #include "acquisition/scan_placing.h"
 #include "acquisition/stand_composites.h"
 #include "base/errors.h"
@@ -22,6 +23,8 @@ namespace {
 constexpr double kReach = radians(3.0);
 // Turns that differ by less are one [deg].
 constexpr double kSameDeg = 1.0;
+// To so much they are shown [deg].
+constexpr double kShownDeg = 0.1;
 // What is known of where the axis is, without mechanics [mm].
 constexpr double kAxisSigma = 0.3;
 // All around there are more candidates than around one place.
@@ -37,7 +40,7 @@ double differenceDeg(double a, double b) {
 
 // Of the table, where the scanner is at a pose [deg].
 double turnAt(const AcquisitionState& state, const KeptScan& scan, const Pose& T_object_scanner) {
-  return degrees(tableAngle(state.profile->workspace, standPose(state, scan).inverse() * T_object_scanner));
+  return inOneTurn(degrees(tableAngle(state.profile->workspace, standPose(state, scan).inverse() * T_object_scanner)));
 }
 
 double turnSaid(const AcquisitionState& state, const KeptScan& scan) {
@@ -62,11 +65,13 @@ IcpOptions aboutAxis(const AcquisitionState& state, const KeptScan& scan, const 
 // Whether views whose place is known speak against a place; also that a scan misses much of what they saw does.
 bool contradictsOthers(const AcquisitionState& state, const KeptScan& scan, const RegistrationResult& place,
                        const StepOptions& options, const Progress& progress) {
-  std::vector<View> views = firmViews(state);
-  views.push_back(scan.view);
+  std::vector<const KeptScan*> scans = firmScans(state);
+  scans.push_back(&scan);
+  std::vector<View> views;
+  for (const KeptScan* each : scans) views.push_back(each->view);
   views.back().T_object_scanner = place.T_object_scanner;
-  return contradictionOfLast(views, prepareViews(views, progress), true, state.model->mesh, options.registration,
-                             progress)
+  const std::vector<PreparedView> prepared = preparedViews(scans, progress.part(0.0, 0.5));
+  return contradictionOfLast(views, prepared, true, state.model->mesh, options.registration, progress.part(0.5, 1.0))
       .has_value();
 }
 
@@ -80,24 +85,28 @@ bool nothingAgainst(const RegistrationResult& registration, const StepOptions& o
 std::vector<RegistrationResult> goodPlaces(const AcquisitionState& state, const KeptScan& scan,
                                            const std::vector<Pose>& candidates, const StepOptions& options,
                                            const Progress& progress) {
-  const ViewSurface surface(*scan.view.mesh, *scan.view.image->rays);
+  const PreparedView prepared = preparedViews({&scan}, progress).front();
   const RegistrationTarget target = targetOf(state);
   const auto good = [](const std::optional<FittingPose>& fits) {
     return fits && fits->registration.verdict == Verdict::Good;
   };
-  std::optional<FittingPose> fits;
-  for (const IcpOptions& registration : {freely(options), aboutAxis(state, scan, options)}) {
-    fits = poseThatFits(surface, candidates, target, registration, progress.part(0.0, 0.8), kTried);
-    if (good(fits)) break;
-  }
+  std::optional<FittingPose> fits =
+      poseThatFits(prepared.surface, candidates, target, freely(options), progress.part(0.0, 0.4), kTried);
+  if (!good(fits))
+    fits = poseThatFits(prepared.surface, candidates, target, aboutAxis(state, scan, options), progress.part(0.4, 0.8),
+                        kTried);
   if (!good(fits)) return {};
   std::vector<RegistrationResult> places{fits->registration};
   for (const Pose& rival : fits->rivals) {
     places.push_back(fits->registration);
     places.back().T_object_scanner = rival;
   }
+  const double share = 0.2 / static_cast<double>(places.size());
+  double done = 0.8;
   std::erase_if(places, [&](const RegistrationResult& place) {
-    return contradictsOthers(state, scan, place, options, progress.part(0.8, 1.0));
+    const Progress part = progress.part(done, done + share);
+    done += share;
+    return contradictsOthers(state, scan, place, options, part);
   });
   return places;
 }
@@ -160,6 +169,11 @@ std::optional<Finding> otherTurnOf(const AcquisitionState& state, const KeptScan
   return Finding{VerdictReason::OtherTurn, turns.front(), {}, {turns.begin() + 1, turns.end()}};
 }
 
+double inOneTurn(double tableDeg) {
+  const double turn = std::fmod(std::fmod(tableDeg, 360.0) + 360.0, 360.0);
+  return turn < 360.0 - 0.5 * kShownDeg ? turn : 0.0;
+}
+
 std::vector<double> turnsThatFit(const AcquisitionState& state, const KeptScan& scan) {
   const Finding& finding = scan.record.registration.finding;
   if (scan.status != ScanStatus::Rejected || !finding.value || !state.profile) return {};
@@ -167,11 +181,13 @@ std::vector<double> turnsThatFit(const AcquisitionState& state, const KeptScan& 
   if (finding.reason == VerdictReason::OtherPosition) {
     const auto position = static_cast<std::size_t>(*finding.value);
     if (position >= workspace.size()) return {};
-    return {degrees(tableAngle(workspace, workspace.poses[position]))};
+    return {inOneTurn(degrees(tableAngle(workspace, workspace.poses[position])))};
   }
   if (finding.reason != VerdictReason::OtherTurn) return {};
   std::vector<double> turns{*finding.value};
   turns.insert(turns.end(), finding.rivals.begin(), finding.rivals.end());
+  // Those of earlier versions may be negative.
+  std::transform(turns.begin(), turns.end(), turns.begin(), inOneTurn);
   return turns;
 }
 
@@ -212,7 +228,7 @@ void placeAtTurn(const AcquisitionState& state, KeptScan& scan, double tableDeg,
                        " degrees of the table with the model as it is now: scan from there once more");
   const bool hasRivals = !scan.record.registration.finding.rivals.empty();
   scan.record.registration = places.front();
-  scan.record.registration.finding = {VerdictReason::TakenElsewhere, tableDeg, {}};
+  scan.record.registration.finding = {VerdictReason::TakenElsewhere, inOneTurn(tableDeg), {}};
   if (hasRivals) scan.record.registration.verdict = Verdict::Doubtful;
   scan.view.T_object_scanner = places.front().T_object_scanner;
   scan.status = ScanStatus::In;

@@ -20,7 +20,10 @@ namespace vantage {
 [[nodiscard]] std::optional<Finding> otherTurnOf(const AcquisitionState& state, const KeptScan& scan,
                                                  const StepOptions& options, const Progress& progress);
 
-/// The turns of the table that a refused scan was found to fit, counter-clockwise seen from above [deg].
+/// A turn of the table as it is shown: from 0 to below 360 degrees, where the last half of a tenth is 0.
+[[nodiscard]] double inOneTurn(double tableDeg);
+
+/// The turns of the table that a refused scan was found to fit, counter-clockwise seen from above, in one turn [deg].
 [[nodiscard]] std::vector<double> turnsThatFit(const AcquisitionState& state, const KeptScan& scan);
 [[nodiscard]] bool fitsTurn(const AcquisitionState& state, const KeptScan& scan, double tableDeg);
 

@@ -1,5 +1,6 @@
 #include "acquisition/scan_commands.h"
 
+#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -37,14 +38,21 @@ bool changedHands(const AcquisitionState& before, const AcquisitionState& after)
 void nameOtherTurns(AcquisitionState& state, const Progress& progress) {
   if (!state.profile || !state.model) return;
   const StepOptions options = stepOptionsFor(state);
-  for (KeptScan& scan : state.scans) {
-    if (scan.status != ScanStatus::Rejected || !scan.station().position || scan.view.image->sampleCount() == 0)
-      continue;
+  std::vector<KeptScan*> refused;
+  for (KeptScan& scan : state.scans)
+    if (scan.status == ScanStatus::Rejected && scan.station().position && scan.view.image->sampleCount() > 0)
+      refused.push_back(&scan);
+  const double share = 1.0 / static_cast<double>(std::max<std::size_t>(refused.size(), 1));
+  for (std::size_t i = 0; i < refused.size(); ++i) {
+    const double done = share * static_cast<double>(i);
+    const Progress part = progress.part(done, done + share);
+    KeptScan& scan = *refused[i];
     KeptScan again = scan;
     again.view.T_object_scanner = tableOf(state, scan.station().stand) * scan.view.image->T_table_scanner;
-    again.view.mesh = std::make_shared<const ViewMesh>(triangulate(*scan.view.image, options.triangulation, progress));
+    again.view.mesh =
+        std::make_shared<const ViewMesh>(triangulate(*scan.view.image, options.triangulation, part.part(0.0, 0.1)));
     if (again.view.mesh->mesh.empty()) continue;
-    if (auto elsewhere = otherTurnOf(state, again, options, progress))
+    if (auto elsewhere = otherTurnOf(state, again, options, part.part(0.1, 1.0)))
       scan.record.registration.finding = std::move(*elsewhere);
   }
 }
@@ -82,9 +90,10 @@ Answer ImportScans::mayDo(const AcquisitionState& state) const {
 AcquisitionState ImportScans::carriedOut(const AcquisitionState& state, const CommandTools& tools) const {
   std::vector<NumberedScan> numbered;
   for (const std::int64_t scan : scans) numbered.push_back({scan, tools.input().scan(scan)});
-  AcquisitionState next = importScans(state, numbered, importOptionsFor(state), tools.progress());
+  const Progress progress = tools.progress();
+  AcquisitionState next = importScans(state, numbered, importOptionsFor(state), progress.part(0.0, 0.9));
   for (std::size_t i = 0; i < readings.size() && i < next.scans.size(); ++i) next.scans[i].record.reading = readings[i];
-  nameOtherTurns(next, tools.progress().part(1.0, 1.0));
+  nameOtherTurns(next, progress.part(0.9, 1.0, name(Phase::Register)));
   return next;
 }
 

@@ -18,6 +18,21 @@
 namespace vantage {
 namespace {
 
+// How firmly a view is held of which nobody knows where it is: surfaces that hold it are many times firmer.
+constexpr Mechanics kLooseHold{radians(2.0), 5.0};
+
+// Loose views stay about where they were registered: along what holds them too little noise alone would move them, the
+// farther the more views there are.
+void tieLooseViews(const AcquisitionState& state, std::vector<PoseTie>& ties) {
+  const std::vector<const KeptScan*> scans = scansOf(state, ScanStatus::In);
+  for (std::size_t i = 1; i < scans.size(); ++i) {
+    if (!isLoose(*scans[i])) continue;
+    const Pose T_from_to = scans[0]->view.T_object_scanner.inverse() * scans[i]->record.registration.T_object_scanner;
+    const Pose T_object_table = tableOf(state, scans[i]->station().stand);
+    ties.push_back({0, i, T_from_to, aboutTable(turntablePrior(kLooseHold), T_object_table)});
+  }
+}
+
 // What later scans may settle: where nothing spoke against the pose, and the mechanics alone for it.
 bool waitsForMore(const RegistrationResult& registration) {
   const VerdictReason reason = registration.finding.reason;
@@ -106,6 +121,7 @@ void refineModelViews(AcquisitionState& state, const StepOptions& options, const
       preparedViews(scansOf(state, ScanStatus::In), progress.part(0.0, 0.1, "refine"));
   MultiViewOptions refinement = options.refinement;
   refinement.ties = tiesOf(state, options);
+  tieLooseViews(state, refinement.ties);
   const MultiViewResult refined = refinePrepared(views, prepared, refinement, progress.part(0.1, 1.0));
   std::size_t i = 0;
   for (KeptScan& scan : state.scans) {

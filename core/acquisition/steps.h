@@ -29,7 +29,8 @@ namespace vantage {
                                           const StepOptions& options, const Progress& progress);
 
 /// The state with a refused scan as a view from another turn of the table, one that it was found to fit, and the model
-/// made anew. @pre fitsTurn, its stand belongs to the composite in work. @throws InvalidInput when it fits there no more; Cancelled
+/// made anew. @pre fitsTurn, its stand belongs to the composite in work. @throws InvalidInput when it fits there no
+/// more; Cancelled
 [[nodiscard]] AcquisitionState takeAsFrom(const AcquisitionState& state, std::int64_t scan, double tableDeg,
                                           const StepOptions& options, const Progress& progress);
 

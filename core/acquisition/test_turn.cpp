@@ -28,10 +28,6 @@ Mechanics mechanicsOf(const Rig& rig, const ScannerProfile& profile) {
 }  // namespace
 
 bool TestTurn::asExpected() const {
-  // Two moves, and what a scan tells of a place: a small part of a degree and of a millimetre.
-  constexpr double kSigmas = 3.3;
-  constexpr double kScanAngle = 0.001;  // [rad]
-  constexpr double kScanOffset = 0.1;   // [mm]
   const double angle = kSigmas * std::hypot(std::sqrt(2.0) * errors.angleSigma, kScanAngle);
   const double offset = kSigmas * std::hypot(std::sqrt(2.0) * errors.positionSigma, kScanOffset);
   return std::abs(measured - expected) <= angle && axisOffset <= offset;

@@ -14,6 +14,11 @@ namespace vantage {
 
 /// What two scans told about a turntable: whether it turned as the profile says.
 struct TestTurn {
+  // Two moves, and what a scan tells of a place: a small part of a degree and of a millimetre.
+  static constexpr double kSigmas = 3.3;
+  static constexpr double kScanAngle = 0.001;  ///< sigma [rad]
+  static constexpr double kScanOffset = 0.1;   ///< sigma [mm]
+
   double expected = 0.0;    ///< turn of the scanner about the object, counter-clockwise from above [rad]
   double measured = 0.0;    ///< the same as the scans were found [rad]
   double axisOffset = 0.0;  ///< how far the axis moved sideways between the scans [mm]

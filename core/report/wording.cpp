@@ -4,6 +4,8 @@
 #include <string>
 #include <utility>
 
+#include "acquisition/other_turn.h"
+
 namespace vantage {
 namespace {
 
@@ -21,9 +23,9 @@ Phrase turnsPhrase(double factor) {
 
 // "131.0 degrees", and what is as good.
 Phrase anglesPhrase(const Finding& finding) {
-  Phrase phrase = words("%1 degrees", {figure(finding.value.value_or(0.0), 1)});
+  Phrase phrase = words("%1 degrees", {figure(inOneTurn(finding.value.value_or(0.0)), 1)});
   for (const double rival : finding.rivals)
-    phrase = words("%1, and as well at %2 degrees", {std::move(phrase), figure(rival, 1)});
+    phrase = words("%1, and as well at %2 degrees", {std::move(phrase), figure(inOneTurn(rival), 1)});
   return phrase;
 }
 
@@ -140,7 +142,7 @@ Phrase phraseOf(const Finding& finding) {
       return words("it does not fit where it was said to be taken; it fits where the table stands at %1",
                    {anglesPhrase(finding)});
     case VerdictReason::TakenElsewhere:
-      return words("it was taken as from %1 degrees of the table, where it fits", {figure(value, 1)});
+      return words("it was taken as from %1 degrees of the table, where it fits", {figure(inOneTurn(value), 1)});
     case VerdictReason::OtherTurns:
       return turnsPhrase(value);
     case VerdictReason::InverseList:

@@ -65,6 +65,19 @@ TEST(HandPlacing, FindsScansWhoseErrorsDoNotAddUp) {
   }
 }
 
+// Two views of a body with shape, and a person who turned far beyond what is counted on.
+TEST(HandPlacing, WhatIsSaidToBeKnownIsRight) {
+  for (const int position : {1, 3, 4}) {
+    for (const double off : {40.0, -40.0, 70.0, -70.0, 120.0}) {
+      const AcquisitionState state = scannedByHand({testing::smallObject(), {{0, 0.0}, {position, off}}});
+      const KeptScan& scan = state.scans[1];
+      if (scan.status == ScanStatus::In && !isLoose(scan)) {
+        EXPECT_LT(errorOf(state, 1, off), 0.3) << position << " " << off;
+      }
+    }
+  }
+}
+
 TEST(HandPlacing, NobodyKnowsHowFarABodyOfRevolutionWasTurned) {
   const AcquisitionState state = scannedByHand({makeBall(), {{0, 0.0}, {2, 8.0}, {4, -8.0}}});
   EXPECT_FALSE(isLoose(state.scans[0]));
@@ -74,6 +87,15 @@ TEST(HandPlacing, NobodyKnowsHowFarABodyOfRevolutionWasTurned) {
     EXPECT_TRUE(isLoose(state.scans[k])) << k;
   }
   EXPECT_EQ(firmViews(state).size(), 1U);
+}
+
+TEST(HandPlacing, LooseViewsStayWhereTheyWereRegistered) {
+  const AcquisitionState state = scannedByHand({makeBall(), {{0, 0.0}, {2, 8.0}, {4, -8.0}, {6, 6.0}}});
+  for (const KeptScan& scan : state.scans) {
+    if (!isLoose(scan)) continue;
+    const Pose moved = scan.view.T_object_scanner * scan.record.registration.T_object_scanner.inverse();
+    EXPECT_LT(degrees(Eigen::AngleAxisd(Eigen::Matrix3d(moved.linear())).angle()), 0.5) << scan.number;
+  }
 }
 
 TEST(HandPlacing, WhatATableHoldsIsNotLoose) {

@@ -138,32 +138,54 @@ TEST(NextScan, APersonWhoTurnedTooFarIsAskedForHalfTheTurn) {
   EXPECT_EQ(nextPosition(contradicts), 8);
 }
 
-// A table that was sent where next to nothing of the object shows, though as much was to overlap as anywhere else.
-AcquisitionState sentTooFar(const std::vector<std::pair<ScanStatus, int>>& scans) {
-  AcquisitionState state = stateWith(scans);
-  for (KeptScan& scan : state.scans) scan.record.registration.finding.reason = VerdictReason::FewPairs;
+// Scans with a plan by which no position overlaps more than another.
+AcquisitionState planned(AcquisitionState state, VerdictReason reason) {
+  state.settings.strategy = {};
   Plan plan;
-  for (int i = 0; i < 24; ++i) {
+  plan.outcome = PlanOutcome::Found;
+  for (int i = 0; i < static_cast<int>(state.profile->workspace.size()); ++i) {
     PositionScore score;
     score.position = i;
-    score.overlapArea = 500.0;
+    score.overlapArea = 100.0;
     score.constraint = Constraint::Outscored;
     plan.scores.push_back(score);
   }
-  state.plan = std::make_shared<const Plan>(plan);
+  state.plan = std::make_shared<const Plan>(std::move(plan));
+  for (KeptScan& scan : state.scans) scan.record.registration.finding.reason = reason;
   return state;
+}
+
+TEST(NextScan, APersonWhoTurnedWrongIsAskedOnceMoreThenForHalfTheTurn) {
+  const auto in = ScanStatus::In;
+  const auto out = ScanStatus::Rejected;
+  const auto reason = VerdictReason::OtherTurn;
+  const auto byHand = [&](const std::vector<std::pair<ScanStatus, int>>& scans, VerdictReason why) {
+    return planned(turnedTooFar(scans), why);
+  };
+  EXPECT_EQ(nextPosition(byHand({{in, 0}, {out, 4}}, reason)), 4);
+  EXPECT_EQ(nextPosition(byHand({{in, 0}, {out, 4}, {out, 4}}, reason)), 2);
+  EXPECT_EQ(nextPosition(byHand({{in, 0}, {out, 4}, {out, 4}, {out, 2}}, reason)), 2);
+  EXPECT_EQ(terminationOf(nextScan(byHand({{in, 0}, {out, 4}, {out, 4}, {out, 2}, {out, 2}}, reason))),
+            Termination::RegistrationFailed);
+  // Where no position lies between, the same again.
+  EXPECT_EQ(nextPosition(byHand({{in, 0}, {out, 1}, {out, 1}}, reason)), 1);
+  // Too little overlap gets no better by turning there again.
+  EXPECT_EQ(nextPosition(byHand({{in, 0}, {out, 4}}, VerdictReason::FewPairs)), 2);
 }
 
 TEST(NextScan, ATableThatTurnedTooFarTurnsHalfAsFar) {
   const auto in = ScanStatus::In;
   const auto out = ScanStatus::Rejected;
-  EXPECT_EQ(nextPosition(sentTooFar({{in, 0}, {out, 8}})), 4);
-  EXPECT_EQ(nextPosition(sentTooFar({{in, 0}, {out, 8}, {out, 4}})), 2);
-  AcquisitionState contradicts = sentTooFar({{in, 0}, {out, 8}});
-  contradicts.scans[1].record.registration.finding.reason = VerdictReason::Conflicts;
-  EXPECT_EQ(terminationOf(nextScan(contradicts)), Termination::RegistrationFailed);
+  const auto byTable = [](const std::vector<std::pair<ScanStatus, int>>& scans, VerdictReason why) {
+    return planned(stateWith(scans), why);
+  };
+  EXPECT_EQ(nextPosition(byTable({{in, 0}, {out, 8}}, VerdictReason::FewPairs)), 4);
+  EXPECT_EQ(nextPosition(byTable({{in, 0}, {out, 8}, {out, 4}}, VerdictReason::FewPairs)), 2);
+  // A table that moves by itself would do the same again.
+  EXPECT_EQ(terminationOf(nextScan(byTable({{in, 0}, {out, 8}}, VerdictReason::OtherTurn))),
+            Termination::RegistrationFailed);
   // Where clearly more is to overlap, it is not the turn.
-  AcquisitionState better = sentTooFar({{in, 0}, {out, 8}});
+  AcquisitionState better = byTable({{in, 0}, {out, 8}}, VerdictReason::FewPairs);
   Plan plan = *better.plan;
   plan.scores[21].overlapArea = 900.0;
   better.plan = std::make_shared<const Plan>(plan);

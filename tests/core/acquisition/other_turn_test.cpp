@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "acquisition/agreement_check.h"
 #include "acquisition/hand_placing.h"
 #include "acquisition/memory_journal.h"
@@ -73,7 +75,7 @@ TEST_F(OtherTurnTest, AScanThatFitsElsewhereIsRefusedAndSaidWhere) {
   ASSERT_EQ(slipped().status, ScanStatus::Rejected);
   const std::vector<double> turns = turnsThatFit(state, slipped());
   ASSERT_EQ(turns.size(), 1U);
-  EXPECT_NEAR(turns[0], angleOf(state, 4) + kSlip, 0.5);
+  EXPECT_NEAR(turns[0], inOneTurn(angleOf(state, 4) + kSlip), 0.5);
   EXPECT_EQ(slipped().record.registration.finding.reason, VerdictReason::OtherTurn);
   EXPECT_TRUE(fitsTurn(state, slipped(), turns[0]));
   EXPECT_FALSE(fitsTurn(state, slipped(), turns[0] + 20.0));
@@ -110,6 +112,34 @@ TEST_F(OtherTurnTest, NothingThatOthersLookedThroughAgreesWithThem) {
   EXPECT_EQ(wrong.record.registration.finding.reason, VerdictReason::ContradictsOthers);
 }
 
+TEST(InOneTurn, IsFromZeroToBelowAFullTurn) {
+  EXPECT_DOUBLE_EQ(inOneTurn(-4.9), 355.1);
+  EXPECT_DOUBLE_EQ(inOneTurn(28.0), 28.0);
+  EXPECT_DOUBLE_EQ(inOneTurn(725.0), 5.0);
+  EXPECT_DOUBLE_EQ(inOneTurn(-720.0), 0.0);
+  // It would be shown as 360.0.
+  EXPECT_DOUBLE_EQ(inOneTurn(-0.04), 0.0);
+  EXPECT_DOUBLE_EQ(inOneTurn(359.9), 359.9);
+}
+
+// The scans of the acquisition as recorded ones, of which the last is said to be of another position.
+TEST_F(OtherTurnTest, AnImportTellsHowFarItIsWhileItLooksWhereScansFit) {
+  std::vector<RangeImage> images;
+  for (std::int64_t i = 0; i < 5; ++i) {
+    images.push_back(*journal_.scan(i));
+    images.back().poseKnownBy = PoseSource::Reported;
+    images.back().poseUncertainty.reset();
+  }
+  MemoryJournal journal(profile_, smallScans());
+  std::vector<double> fractions;
+  Acquisition(journal).importScans(
+      std::move(images), Progress([&](double fraction, std::string_view) { fractions.push_back(fraction); }, {}, 1));
+  const AcquisitionState& state = *journal.state();
+  ASSERT_EQ(state.scans[4].status, ScanStatus::Rejected);
+  EXPECT_EQ(turnsThatFit(state, state.scans[4]).size(), 1U);
+  EXPECT_GT(std::count_if(fractions.begin(), fractions.end(), [](double f) { return f > 0.91 && f < 0.99; }), 3);
+}
+
 TEST_F(OtherTurnTest, IsTakenFromNowhereElse) {
   const auto refused = [&](std::int64_t scan, double turn) {
     const auto refusal = acquisition_.mayDo(TakeAsFrom{scan, turn});
@@ -137,7 +167,7 @@ TEST(HandSlip, OfFortyDegreesIsFoundOrSaid) {
       EXPECT_LT(errorOf(scan, slip), 0.3) << slip;
     }
     for (const double turn : turnsThatFit(*journal.state(), scan))
-      EXPECT_NEAR(turn, angleOf(*journal.state(), 4) + slip, 0.5);
+      EXPECT_NEAR(turn, inOneTurn(angleOf(*journal.state(), 4) + slip), 0.5);
   }
 }
 
