@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QWidget>
+#include <cstdint>
 #include <vector>
 
 class QLabel;
@@ -20,9 +21,12 @@ class OtherTurnBox final : public QWidget {
 
  private:
   void refresh();
+  void offer(std::int64_t scan, const std::vector<double>& turns);
 
   SessionController& controller_;
   QLabel* what_;
+  std::int64_t scan_ = -1;
+  std::vector<double> turns_;
   std::vector<QPushButton*> buttons_;
 };
 
