@@ -23,15 +23,17 @@ OtherTurnBox::OtherTurnBox(SessionController& controller, QWidget* parent)
 void OtherTurnBox::refresh() {
   const SharedState& now = controller_.now();
   const bool refused = now && !now->scans.empty() && now->scans.back().status == ScanStatus::Rejected;
-  const std::int64_t scan = refused ? now->scans.back().number : -1;
-  offer(scan, refused ? turnsThatFit(*now, now->scans.back()) : std::vector<double>());
+  if (refused)
+    offer(now->scans.back().number, turnsThatFit(*now, now->scans.back()));
+  else
+    offer({}, {});
   for (std::size_t i = 0; i < turns_.size(); ++i)
-    allow(*buttons_[i], controller_.permissions().whyNot(TakeAsFrom{scan_, turns_[i]}));
+    allow(*buttons_[i], controller_.permissions().whyNot(TakeAsFrom{*scan_, turns_[i]}));
   setVisible(!buttons_.empty() && controller_.idle());
 }
 
 // Buttons stay as long as they offer the same: nothing vanishes under somebody's mouse.
-void OtherTurnBox::offer(std::int64_t scan, const std::vector<double>& turns) {
+void OtherTurnBox::offer(std::optional<std::int64_t> scan, const std::vector<double>& turns) {
   if (scan == scan_ && turns == turns_) return;
   scan_ = scan;
   turns_ = turns;
@@ -40,14 +42,15 @@ void OtherTurnBox::offer(std::int64_t scan, const std::vector<double>& turns) {
     button->deleteLater();
   }
   buttons_.clear();
-  what_->setText(tr("Scan %1 fits another turn of the table than was said. If the table stood there:").arg(scan));
+  if (!scan) return;
+  what_->setText(tr("Scan %1 fits another turn of the table than was said. If the table stood there:").arg(*scan));
   for (const double turn : turns) {
     const QString angle = QString::number(turn, 'f', 1) + QStringLiteral("°");
     auto* button = makeButton(tr("It was taken at %1").arg(angle), QStringLiteral("takeAsFrom"),
                               tr("Take the scan as one with the table at %1, counter-clockwise from its first "
                                  "position, seen from above: there it fits.")
                                   .arg(angle));
-    connect(button, &QPushButton::clicked, this, [this, scan, turn] { controller_.takeAsFrom(scan, turn); });
+    connect(button, &QPushButton::clicked, this, [this, scan = *scan, turn] { controller_.takeAsFrom(scan, turn); });
     layout()->addWidget(button);
     button->show();
     buttons_.push_back(button);

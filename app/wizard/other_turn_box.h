@@ -2,6 +2,7 @@
 
 #include <QWidget>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 class QLabel;
@@ -21,11 +22,11 @@ class OtherTurnBox final : public QWidget {
 
  private:
   void refresh();
-  void offer(std::int64_t scan, const std::vector<double>& turns);
+  void offer(std::optional<std::int64_t> scan, const std::vector<double>& turns);
 
   SessionController& controller_;
   QLabel* what_;
-  std::int64_t scan_ = -1;
+  std::optional<std::int64_t> scan_;
   std::vector<double> turns_;
   std::vector<QPushButton*> buttons_;
 };
