@@ -84,6 +84,11 @@ TEST_F(DevicePages, AScanThatFitsElsewhereIsOfferedFromThere) {
   QDir().mkpath(QStringLiteral(VANTAGE_SCREENSHOT_DIR));
   window_.grab().save(QStringLiteral(VANTAGE_SCREENSHOT_DIR) + "/window_3_fits_elsewhere.png");
   EXPECT_EQ(testing::clipped(window_).join(" | ").toStdString(), "");
+  // Something else changes: the button stays the one that somebody is about to click.
+  controller_.setMode(controller_.mode() == Mode::Automatic ? Mode::Assisted : Mode::Automatic);
+  for (int i = 0; i < 5; ++i) QCoreApplication::processEvents();
+  EXPECT_EQ(window_.findChildren<QPushButton*>("takeAsFrom").count(offer), 1);
+  EXPECT_TRUE(offer->isVisible());
   offer->click();
   EXPECT_EQ(controller_.now()->scans.back().status, ScanStatus::In);
 }
