@@ -17,7 +17,6 @@ using std::chrono::seconds;
 
 // How long who stops the table waits for its rest; what is left is done before the next move.
 constexpr milliseconds kStopping{350};
-constexpr milliseconds kShortMove{430};
 constexpr seconds kAnswer{3};
 constexpr const char* kNewReference = "; turn it to where it shall count from, then set the reference anew (home)";
 
@@ -146,7 +145,7 @@ void SerialTurntable::afterCancel() noexcept {
 // What cannot be stopped ends where it was told to, also when nobody waits for it.
 void SerialTurntable::afterShortMove() {
   const double end = *leftAlone_;
-  if (motion_->awaitEnd(kShortMove, [] {})) leftAlone_.reset();
+  if (motion_->awaitEnd(kStopping, [] {})) leftAlone_.reset();
   know(leftAlone_ ? TableState::Unknown : TableState::Idle, end);
 }
 
