@@ -9,6 +9,7 @@
 #include <mutex>
 #include <new>
 #include <thread>
+#include <vector>
 
 #include "base/errors.h"
 
@@ -62,6 +63,9 @@ struct ThreadedJobRunner::Private {
   Id next = 1;
   QTimer timer;
   std::map<Id, std::unique_ptr<Running>> running;
+  // Threads that have done their work and are about to end. On a busy machine that takes a while, which is not for the
+  // window to wait for: the next job does.
+  std::vector<std::jthread> ending;
 };
 
 ThreadedJobRunner::ThreadedJobRunner(int threads, QObject* parent)
@@ -78,6 +82,7 @@ ThreadedJobRunner::~ThreadedJobRunner() {
 void ThreadedJobRunner::abandonAll() {
   cancelAll();
   private_->running.clear();
+  private_->ending.clear();
 }
 
 JobRunner::Id ThreadedJobRunner::start(Job job) {
@@ -86,18 +91,20 @@ JobRunner::Id ThreadedJobRunner::start(Job job) {
   running.job = std::move(job);
   emit started(id, running.job.title);
   private_->timer.start();
-  running.thread = std::jthread([this, id, &running, threads = private_->threads] {
-    setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), kJobNiceness);
-    const Progress progress([&running](double fraction, std::string_view step) { running.note(fraction, step); },
-                            running.stop.get_token(), threads);
-    try {
-      running.job.process(progress);
-    } catch (...) {
-      running.failure = std::current_exception();
-    }
-    QMetaObject::invokeMethod(
-        this, [this, id] { finish(id); }, Qt::QueuedConnection);
-  });
+  running.thread = std::jthread(
+      [this, id, &running, threads = private_->threads, before = std::exchange(private_->ending, {})]() mutable {
+        setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), kJobNiceness);
+        const Progress progress([&running](double fraction, std::string_view step) { running.note(fraction, step); },
+                                running.stop.get_token(), threads);
+        try {
+          running.job.process(progress);
+        } catch (...) {
+          running.failure = std::current_exception();
+        }
+        before.clear();
+        QMetaObject::invokeMethod(
+            this, [this, id] { finish(id); }, Qt::QueuedConnection);
+      });
   return id;
 }
 
@@ -127,7 +134,7 @@ void ThreadedJobRunner::finish(Id job) {
   if (it == private_->running.end()) return;
   const std::unique_ptr<Running> over = std::move(it->second);
   private_->running.erase(it);
-  over->thread.join();
+  private_->ending.push_back(std::move(over->thread));
   if (private_->running.empty()) private_->timer.stop();
   emit finished(job);
   over->job.finalize(over->failure);

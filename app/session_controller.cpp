@@ -8,7 +8,6 @@
 #include "devices/standing_object.h"
 #include "io/mesh_writer.h"
 #include "io/output_file.h"
-#include "report/loss_wording.h"
 #include "report/memory_note.h"
 #include "session/table_note.h"
 #include "session_start.h"
@@ -16,16 +15,6 @@
 
 namespace vantage {
 namespace {
-
-const QString kPageNote = QStringLiteral("page");
-
-// Where to go on in a session: where it was left, or, when no window has had it yet, where its state leads.
-QString pageOf(const Session& session, const AcquisitionState& state) {
-  const std::string noted = session.note(kPageNote.toStdString());
-  if (!noted.empty()) return QString::fromStdString(noted);
-  if (state.scans.empty()) return {};
-  return state.termination == Termination::Running ? QStringLiteral("acquire") : QStringLiteral("review");
-}
 
 // The set-up with a simulated object that was turned over as the session says.
 SharedSetUp asItStands(const SharedSetUp& setUp, const AcquisitionState& state) {
@@ -46,12 +35,17 @@ SessionController::SessionController(JobRunner& jobs, std::string cacheFolder, D
       bench_(work_, jobs, devices_),
       testScans_(work_, jobs, devices_),
       calibrating_(work_, devices_),
+      keeper_(work_, jobs, cacheFolder_),
       present_(presentBefore()) {
   connect(&work_, &Undertaking::activityChanged, this, &SessionController::activityChanged);
   connect(&work_, &Undertaking::stepChanged, this, &SessionController::stepChanged);
   connect(&work_, &Undertaking::failed, this, &SessionController::failed);
   connect(&work_, &Undertaking::refused, this, &SessionController::refused);
   connect(&work_, &Undertaking::message, this, &SessionController::message);
+  connect(&keeper_, &SessionKeeper::failed, this, &SessionController::failed);
+  connect(&keeper_, &SessionKeeper::message, this, &SessionController::message);
+  connect(&keeper_, &SessionKeeper::importFailed, this, &SessionController::importFailed);
+  connect(&keeper_, &SessionKeeper::arrived, this, &SessionController::replace);
   connect(&calibrating_, &TableCalibrating::kept, this, &SessionController::useCalibration);
 }
 
@@ -63,7 +57,7 @@ SessionController::~SessionController() {
 // All who look at the set-up are told.
 void SessionController::changeSetUp(const SharedSetUp& setUp) {
   setUp_ = setUp;
-  if (!session_) present_ = presentBefore();
+  if (!hasSession()) present_ = presentBefore();
   bench_.setSetUp(setUp);
   testScans_.setSetUp(setUp);
   calibrating_.setSetUp(setUp);
@@ -118,7 +112,7 @@ void SessionController::prepare() {
         return prepareSetUp(choice, cache, p);
       },
       [this](const SharedSetUp& setUp) {
-        if (!session_ && turnedByHand(*setUp)) mode_ = Mode::Assisted;
+        if (!hasSession() && turnedByHand(*setUp)) mode_ = Mode::Assisted;
         if (!setUp->notes.empty()) emit message(QString::fromStdString(setUp->notes));
         changeSetUp(setUp);
       });
@@ -130,71 +124,39 @@ void SessionController::noteMemory(const Phrase& note) {
   emit message(memoryNote_);
 }
 
-QString SessionController::sessionPath() const {
-  return session_ ? QString::fromStdString(session_->path()) : QString();
-}
-
 void SessionController::adopt(const SessionPointer& session, const SharedSetUp& setUp, const QString& page) {
-  session_ = session;
   choice_ = setUp->choice;
   memoryNote_.clear();
   if (setUp->profile)
     if (const auto note = vantage::memoryNote(setUp->profile->rays->size(), choice_.settings.thinning,
                                               static_cast<std::size_t>(session->scanCount())))
       noteMemory(*note);
-  page_ = page;
-  for (const Loss& loss : session->losses()) emit failed(translated(phraseOf(loss, session->path())));
+  keeper_.adopt(session, page);
   changeSetUp(setUp);
   emit sessionChanged();
 }
 
+void SessionController::replace(const OpenedSession& opened, const Present& present, const QString& page,
+                                bool isImported) {
+  if (hasSession()) close();
+  adopt(opened.session, opened.setUp, page);
+  publish(present);
+  if (isImported) emit imported();
+}
+
 void SessionController::open(const QString& path) {
-  if (!allowed(permissions().whyNotOpen())) return;
-  struct Opened {
-    OpenedSession opened;
-    Present present;
-  };
-  work_.begin<Opened>(
-      Activity::Opening, tr("Opening the session"),
-      [path = path.toStdString(), cache = cacheFolder_](const Progress& p) {
-        Opened result{openSession(path, cache, p), {}};
-        result.present = Present::of(*result.opened.session);
-        return result;
-      },
-      [this](Opened result) {
-        if (hasSession()) close();
-        adopt(result.opened.session, result.opened.setUp, pageOf(*result.opened.session, *result.present.state()));
-        publish(std::move(result.present));
-      });
+  if (allowed(permissions().whyNotOpen())) keeper_.open(path);
 }
 
 void SessionController::importScans(const ImportChoice& choice) {
-  if (!allowed(permissions().whyNotOpen())) return;
-  struct Imported {
-    OpenedSession opened;
-    Present present;
-  };
-  work_.begin<Imported>(
-      Activity::Opening, tr("Importing recorded scans"),
-      [choice, cache = cacheFolder_](const Progress& p) {
-        Imported result{importSession(choice, cache, p), {}};
-        result.present = Present::of(*result.opened.session);
-        return result;
-      },
-      [this](Imported result) {
-        if (hasSession()) close();
-        adopt(result.opened.session, result.opened.setUp, pageOf(*result.opened.session, *result.present.state()));
-        publish(std::move(result.present));
-        emit imported();
-      },
-      [this](const QString& why) { emit importFailed(why); });
+  if (allowed(permissions().whyNotOpen())) keeper_.importScans(choice);
 }
 
 void SessionController::addScans(const RecordedScans& recorded) {
   if (!allowed(permissions().whyNotAddScans())) return;
   work_.begin<bool>(
       Activity::Changing, tr("Adding scans"),
-      [this, session = session_, setUp = setUp_, recorded](const Progress& progress) {
+      [this, session = keeper_.session(), setUp = setUp_, recorded](const Progress& progress) {
         Acquisition acquisition(*session, {{}, setUp->images}, publisher(session));
         addRecordedScans(acquisition, recorded, *setUp, progress);
         return true;
@@ -204,11 +166,10 @@ void SessionController::addScans(const RecordedScans& recorded) {
 
 void SessionController::close() {
   if (!allowed(permissions().whyNotClose())) return;
-  session_.reset();
+  keeper_.letGo();
   present_ = presentBefore();
   shown_.reset();
   shownMoment_.reset();
-  page_.clear();
   emit sessionChanged();
   emit stateChanged();
   emit shownChanged();
@@ -238,8 +199,8 @@ void SessionController::scanInBackground(bool untilTheEnd) {
   };
   work_.begin<bool>(
       Activity::Running, untilTheEnd ? tr("Acquiring") : tr("Scanning"),
-      [this, session = session_, setUp = setUp_, devices = devices_, mode = mode(), begun, pause = work_.pauseWanted(),
-       untilTheEnd](const Progress& progress) mutable {
+      [this, session = keeper_.session(), setUp = setUp_, devices = devices_, mode = mode(), begun,
+       pause = work_.pauseWanted(), untilTheEnd](const Progress& progress) mutable {
         const bool isNew = !session;
         // Without devices there is nothing that a session could be begun with.
         const auto left = isNew ? std::nullopt : tableLeft(*session);
@@ -292,7 +253,7 @@ bool SessionController::allowed(const QString& whyNot) {
 
 void SessionController::setMode(Mode mode) {
   if (mode == this->mode()) return;
-  if (session_) return change(ChangeMode{mode});
+  if (hasSession()) return change(ChangeMode{mode});
   mode_ = mode;
   emit stateChanged();
 }
@@ -333,7 +294,7 @@ void SessionController::change(const Command& command) {
   if (!allowed(permissions().whyNot(command))) return;
   work_.begin<Present>(
       Activity::Changing, tr("Changing the session"),
-      [session = session_, setUp = setUp_, command](const Progress& progress) {
+      [session = keeper_.session(), setUp = setUp_, command](const Progress& progress) {
         Acquisition(*session, {{}, setUp->images}).carryOut(command, progress);
         return Present::of(*session);
       },
@@ -379,7 +340,7 @@ std::optional<TurnAdvice> SessionController::turnTo(int position) const {
 void SessionController::move(bool backward) {
   work_.begin<Present>(
       Activity::Changing, backward ? tr("Undo") : tr("Redo"),
-      [session = session_, backward](const Progress& /*progress*/) {
+      [session = keeper_.session(), backward](const Progress& /*progress*/) {
         Acquisition acquisition(*session);
         if (backward)
           acquisition.undo();
@@ -399,11 +360,11 @@ void SessionController::redo() {
 }
 
 void SessionController::showMoment(int index) {
-  if (!session_ || index < 0 || index >= static_cast<int>(present_.moments().size())) return;
+  if (!hasSession() || index < 0 || index >= static_cast<int>(present_.moments().size())) return;
   if (index == present_.cursor()) return showNow();
   jobs_.run<SharedState>(
       tr("Showing an earlier moment"),
-      [session = session_, index](const Progress&) { return session->state(static_cast<std::size_t>(index)); },
+      [session = keeper_.session(), index](const Progress&) { return session->state(static_cast<std::size_t>(index)); },
       [this, index](JobResult<SharedState> result) {
         if (!result.value) return;
         shown_ = std::move(*result.value);
@@ -419,7 +380,7 @@ void SessionController::showNow() {
 }
 
 std::vector<std::string> SessionController::filesInUse() const {
-  return {session_->path(), now()->settings.simulation.object, choice_.scanner};
+  return {keeper_.session()->path(), now()->settings.simulation.object, choice_.scanner};
 }
 
 void SessionController::exportModel(const QString& path) {
@@ -449,21 +410,6 @@ void SessionController::writeReport(const QString& path, ReportParts parts) {
         return true;
       },
       [this, path](bool) { emit written(path); });
-}
-
-void SessionController::rememberPage(const QString& page) {
-  if (page == page_) return;
-  page_ = page;
-  if (!session_) return;
-  jobs_.run<bool>(
-      {},
-      [session = session_, page = page.toStdString()](const Progress&) {
-        session->setNote(kPageNote.toStdString(), page);
-        return true;
-      },
-      [this](const JobResult<bool>& result) {
-        if (!result.error.isEmpty()) emit message(result.error);
-      });
 }
 
 }  // namespace vantage

@@ -21,6 +21,7 @@
 #include "rig_keeper.h"
 #include "session/session.h"
 #include "session_import.h"
+#include "session_keeper.h"
 #include "set_up.h"
 #include "turn_advice.h"
 #include "undertaking.h"
@@ -65,8 +66,8 @@ class SessionController final : public QObject {
   [[nodiscard]] TestScans& testScans() { return testScans_; }
   [[nodiscard]] TableCalibrating& calibrating() { return calibrating_; }
 
-  [[nodiscard]] bool hasSession() const { return session_ != nullptr; }
-  [[nodiscard]] QString sessionPath() const;
+  [[nodiscard]] bool hasSession() const { return keeper_.session() != nullptr; }
+  [[nodiscard]] QString sessionPath() const { return keeper_.path(); }
   /// Opens another session; the one that is open stays so until that is known to be whole.
   void open(const QString& path);
   /// Makes a session of recorded scans. What is wrong with them is told by importFailed.
@@ -132,8 +133,8 @@ class SessionController final : public QObject {
   void writeReport(const QString& path, ReportParts parts);
 
   /// The wizard's page, kept in the session so that it reopens there.
-  [[nodiscard]] const QString& page() const { return page_; }
-  void rememberPage(const QString& page);
+  [[nodiscard]] const QString& page() const { return keeper_.page(); }
+  void rememberPage(const QString& page) { keeper_.rememberPage(page); }
 
  signals:
   void activityChanged();
@@ -151,7 +152,7 @@ class SessionController final : public QObject {
   void message(const QString& what);      ///< for the log
 
  private:
-  using SessionPointer = std::shared_ptr<Session>;
+  using SessionPointer = SessionKeeper::SessionPointer;
 
   void changeSetUp(const SharedSetUp& setUp);
   void noteMemory(const Phrase& note);
@@ -163,6 +164,7 @@ class SessionController final : public QObject {
   [[nodiscard]] std::vector<std::string> filesInUse() const;
   void move(bool backward);
   void adopt(const SessionPointer& session, const SharedSetUp& setUp, const QString& page);
+  void replace(const OpenedSession& opened, const Present& present, const QString& page, bool isImported);
   void publish(Present present);
   [[nodiscard]] Present presentBefore() const;
   [[nodiscard]] Acquisition::StepObserver publisher(const SessionPointer& session);
@@ -177,12 +179,11 @@ class SessionController final : public QObject {
   DeviceBench bench_;
   TestScans testScans_;
   TableCalibrating calibrating_;
-  SessionPointer session_;
+  SessionKeeper keeper_;
   Mode mode_ = Mode::Automatic;  ///< before there is a session
   Present present_;
   SharedState shown_;
   std::optional<int> shownMoment_;  ///< nothing: now
-  QString page_;
 };
 
 }  // namespace vantage

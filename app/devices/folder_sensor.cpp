@@ -81,8 +81,10 @@ std::optional<std::string> FolderSensor::notReady() const {
 void FolderSensor::announceMove() {
   if (options_.existing) return;
   try {
-    refuseLeftOver();
-    watch_.beginAnew();
+    refuseInterrupted();
+    if (!interrupted_) refuseLeftOver();
+    left_ = watch_.beginAnew();
+    if (!interrupted_) left_.clear();
     begun_ = true;
   } catch (const IoError&) {
     begun_ = false;  // capture says so, when it is still so then
@@ -98,8 +100,20 @@ void FolderSensor::refuseLeftOver() {
                           ", which was taken, before the table was turned on: scan again if it is of another position");
 }
 
+// Or its move was given up, so that nobody knows which place it is of.
+void FolderSensor::refuseInterrupted() {
+  for (const std::string& path : std::exchange(left_, {}))
+    refuse(path, path +
+                     ": came for a scan that was stopped, and the table has turned since: scan again, or save it again "
+                     "if it is of where the table stands now");
+}
+
 void FolderSensor::standAt(const ReachedPose& pose) {
+  const bool stayed =
+      !options_.tableAlwaysTurns && !pose.movedUntil && pose_ && pose_->matrix() == pose.T_table_scanner.matrix();
   pose_ = pose.T_table_scanner;
+  if (stayed) watch_.takeBack(std::exchange(left_, {}));
+  refuseInterrupted();
   if (!begun_ || !pose.movedUntil) return;
   try {
     for (const std::string& path : watch_.dismissBegunBefore(*pose.movedUntil))
@@ -111,10 +125,17 @@ void FolderSensor::standAt(const ReachedPose& pose) {
 
 RangeImage FolderSensor::capture(const Progress& progress) {
   if (!open_) throw DeviceError(identity() + ": it is not open");
+  const bool begun = options_.existing || begun_ || interrupted_;
+  begun_ = false;
+  interrupted_ = true;
+  RangeImage image = waitForScan(begun, progress);
+  interrupted_ = false;
+  return image;
+}
+
+RangeImage FolderSensor::waitForScan(bool begun, const Progress& progress) {
   const auto start = Clock::now();
   auto heard = start;
-  bool begun = options_.existing || begun_;
-  begun_ = false;
   while (true) {
     try {
       if (!begun) watch_.begin();
@@ -172,7 +193,6 @@ std::optional<RangeImage> FolderSensor::take(const WatchedFile& file, const Prog
     refuse(file.path, e.what());
     throw DeviceError(e.what());
   } catch (const Cancelled&) {
-    watch_.keep(file);
     throw;
   } catch (const Error& e) {
     watch_.dismiss(file);

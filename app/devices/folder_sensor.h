@@ -22,6 +22,7 @@ struct FolderSensorOptions {
   std::optional<std::chrono::milliseconds> deadline =
       {};                                   ///< for a file to come; nothing: it is waited for until it comes
   bool existing = false;                    ///< files that are there already are taken as well
+  bool tableAlwaysTurns = false;            ///< before every scan, also to where it stands already
   std::chrono::milliseconds rest{500};      ///< see FolderWatch
   std::chrono::milliseconds interval{100};  ///< between two looks
 };
@@ -45,7 +46,8 @@ class FolderSensor final : public RangeSensor {
 
   /// Waits for the next file that is finished and can be read, of several the oldest. The step of the progress says
   /// what it waits for, and why the last file was not taken; at last which one was, and which others wait. Those are
-  /// refused when a move is announced: they are of the place that the table leaves.
+  /// refused when a move is announced: they are of the place that the table leaves. What had come when a capture ended
+  /// without a scan is for the next one, unless the table has turned since; then it is refused.
   /// @throws DeviceError when the folder goes away, none came in time, or a file needs an answer (see readScan), which
   /// is then taken when the next sensor or capture has it; Cancelled
   [[nodiscard]] RangeImage capture(const Progress& progress) override;
@@ -62,10 +64,12 @@ class FolderSensor final : public RangeSensor {
   [[nodiscard]] std::string lastFile() const;
 
  private:
+  [[nodiscard]] RangeImage waitForScan(bool begun, const Progress& progress);
   [[nodiscard]] std::optional<RangeImage> takeOne(const Progress& progress);
   [[nodiscard]] std::optional<RangeImage> take(const WatchedFile& file, const Progress& progress);
   void refuse(const std::string& path, std::string reason);
   void refuseLeftOver();
+  void refuseInterrupted();
   [[nodiscard]] std::string takenText(const WatchedFile& file);
   [[nodiscard]] std::string waitingText() const;
   [[noreturn]] void tooLate() const;
@@ -74,7 +78,9 @@ class FolderSensor final : public RangeSensor {
   std::shared_ptr<const ScannerProfile> profile_;
   FolderWatch watch_;
   bool open_ = false;
-  bool begun_ = false;  // files that came since the move began are meant
+  bool begun_ = false;             // files that came since the move began are meant
+  bool interrupted_ = false;       // the last capture ended without a scan
+  std::vector<std::string> left_;  // what had come for it, when the move was announced
   std::optional<Pose> pose_;
   std::map<std::uint64_t, std::string> taken_;  // by the hash of the content
 

@@ -133,10 +133,12 @@ void FolderWatch::begin() {
   }
 }
 
-void FolderWatch::beginAnew() {
+std::vector<std::string> FolderWatch::beginAnew() {
   list();
   const auto now = std::chrono::steady_clock::now();
+  std::vector<std::string> dismissed;
   for (auto& [path, known] : known_) {
+    if (!known.done && !known.kept) dismissed.push_back(path);
     const bool written = known.renamed || now - known.since >= rest_ || !isFresh(known.stamp);
     known.barred = !known.kept && !written;
     if (!known.kept) known.done = true;
@@ -146,6 +148,13 @@ void FolderWatch::beginAnew() {
   begunAnew_ = now;
   barred_.clear();
   for (const auto& [file, path] : unfinished_) barred_.insert(file);
+  return dismissed;
+}
+
+void FolderWatch::takeBack(const std::vector<std::string>& paths) {
+  barred_.clear();
+  for (const std::string& path : paths)
+    if (const auto known = known_.find(path); known != known_.end()) known->second.done = known->second.barred = false;
 }
 
 std::vector<std::string> FolderWatch::dismissBegunBefore(std::chrono::system_clock::time_point moment) {

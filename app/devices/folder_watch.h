@@ -45,9 +45,12 @@ class FolderWatch {
   void begin();
 
   /// The same before a move: what is there already, also what is still being written, is of an earlier scan and not
-  /// offered any more, but for files that are kept, and for finished ones that are written anew. @throws IoError as
-  /// look
-  void beginAnew();
+  /// offered any more, but for files that are kept, and for finished ones that are written anew.
+  /// @return the names of what was offered or still being written until now. @throws IoError as look
+  std::vector<std::string> beginAnew();
+
+  /// Offers files again that beginAnew() dismissed: nothing has moved.
+  void takeBack(const std::vector<std::string>& paths);
 
   /// Dismisses the files there are that came since beginAnew() and whose writing began before a moment.
   /// @return their names. @throws IoError as look

@@ -25,7 +25,10 @@ struct SensorMaking {
     return makeOpenNi2Sensor(device, setUp.profile);
   }
   std::shared_ptr<RangeSensor> operator()(const FolderDevice& device) const {
-    return std::make_shared<FolderSensor>(FolderSensorOptions{device.folder, setUp.reading}, setUp.profile);
+    FolderSensorOptions options{device.folder, setUp.reading};
+    options.tableAlwaysTurns = std::holds_alternative<SerialTableDevice>(setUp.rig.table) ||
+                               std::holds_alternative<ProgramDevice>(setUp.rig.table);
+    return std::make_shared<FolderSensor>(std::move(options), setUp.profile);
   }
   std::shared_ptr<RangeSensor> operator()(const ReplayDevice& device) const {
     return std::make_shared<ReplaySensor>(device.session, setUp.profile, setUp.reading);

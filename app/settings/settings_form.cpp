@@ -25,6 +25,12 @@ QFormLayout* makeForm(QVBoxLayout& column) {
   return form;
 }
 
+// Whether a setting says anything to a real scanner, too: the seed is also that of positions taken at random.
+bool concernsRealScanners(const SettingField& field, const AcquisitionSettings& settings) {
+  if (groupOf(field) != "simulation") return true;
+  return field.key == "simulation.seed" && settings.strategy.kind == Strategy::Kind::Random;
+}
+
 QString labelOf(const SettingField& field) {
   const QString label = settingWords(field.label);
   return field.unit.empty() ? label : label + QStringLiteral(" [%1]").arg(settingWords(field.unit));
@@ -122,6 +128,18 @@ void SettingsForm::add(const SettingField& field, QFormLayout& form) {
   editor.widget->setMinimumWidth(1);
   editor.widget->setSizePolicy(QSizePolicy::Ignored, editor.widget->sizePolicy().verticalPolicy());
   form.addRow(labelOf(field), editor.widget);
+  hiders_.emplace_back([this, &field, &form, widget = editor.widget] {
+    form.setRowVisible(widget, simulated_ || concernsRealScanners(field, settings_));
+  });
+}
+
+void SettingsForm::setSimulated(bool simulated) {
+  simulated_ = simulated;
+  showWhatMatters();
+}
+
+void SettingsForm::showWhatMatters() {
+  for (const auto& hide : hiders_) hide();
 }
 
 void SettingsForm::setSettings(const AcquisitionSettings& settings) {
@@ -144,6 +162,7 @@ void SettingsForm::judge(const QString& refusal) {
     consistent_ = false;
     if (complaint.isEmpty()) complaint = QString::fromUtf8(e.what());
   }
+  showWhatMatters();
   complaint_->setText(complaint);
   complaint_->setVisible(!complaint.isEmpty());
 }

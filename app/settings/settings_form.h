@@ -25,6 +25,9 @@ class SettingsForm final : public QWidget {
   [[nodiscard]] const AcquisitionSettings& settings() const { return settings_; }
   void setSettings(const AcquisitionSettings& settings);
 
+  /// Whether a simulated scanner is used: what says nothing to a real one is out of sight.
+  void setSimulated(bool simulated);
+
   /// Whether no settings contradict each other.
   [[nodiscard]] bool consistent() const { return consistent_; }
 
@@ -48,11 +51,14 @@ class SettingsForm final : public QWidget {
   void add(const SettingField& field, QFormLayout& form);
   void refresh();
   void judge(const QString& refusal);
+  void showWhatMatters();
 
   AcquisitionSettings settings_;
+  bool simulated_ = true;
   bool consistent_ = true;
   std::vector<std::function<void()>> refreshers_;
   std::vector<QWidget*> editors_;
+  std::vector<std::function<void()>> hiders_;
   QLabel* complaint_ = nullptr;
 };
 

@@ -120,7 +120,7 @@ void ChoosePage::build() {
   devices_ = new DeviceEditor;
   connect(devices_, &DeviceEditor::edited, this, [this] {
     suggestCut();
-    showObject();
+    showWhatIsSimulated();
     suggestFolder();
     emit changed();
   });
@@ -195,8 +195,9 @@ void ChoosePage::fill(QComboBox& box, const QString& folder, const QString& patt
   select(box, directory.filePath(preferred));
 }
 
-void ChoosePage::showObject() {
+void ChoosePage::showWhatIsSimulated() {
   objectRow_->setVisible(devices_->simulated());
+  form_->setSimulated(devices_->simulated());
 }
 
 // Real scanners see more than their object: what suits them is cut, until something else is said.
@@ -267,7 +268,7 @@ void ChoosePage::entered() {
   else if (open)
     select(*object_, QString::fromStdString(chosen.settings.simulation.object));
   if (open) devices_->setRig(chosen.rig);
-  showObject();
+  showWhatIsSimulated();
   if (open) folder_->setText(QString::fromStdString(chosen.folder));
   if (open) form_->setSettings(chosen.settings);
   showScanner();

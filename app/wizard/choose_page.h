@@ -47,7 +47,7 @@ class ChoosePage final : public WizardPage {
   void takeRig(const RigFile& file);
   void suggestCut();
   void takeWhatWasTried();
-  void showObject();
+  void showWhatIsSimulated();
   void showScanner();
   void allowChoice();
   [[nodiscard]] SetUpChoice choice() const;

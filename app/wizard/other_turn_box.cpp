@@ -21,31 +21,40 @@ OtherTurnBox::OtherTurnBox(SessionController& controller, QWidget* parent)
 }
 
 void OtherTurnBox::refresh() {
+  const SharedState& now = controller_.now();
+  const bool refused = now && !now->scans.empty() && now->scans.back().status == ScanStatus::Rejected;
+  if (refused)
+    offer(now->scans.back().number, turnsThatFit(*now, now->scans.back()));
+  else
+    offer({}, {});
+  for (std::size_t i = 0; i < turns_.size(); ++i)
+    allow(*buttons_[i], controller_.permissions().whyNot(TakeAsFrom{*scan_, turns_[i]}));
+  setVisible(!buttons_.empty() && controller_.idle());
+}
+
+// Buttons stay as long as they offer the same: nothing vanishes under somebody's mouse.
+void OtherTurnBox::offer(std::optional<std::int64_t> scan, const std::vector<double>& turns) {
+  if (scan == scan_ && turns == turns_) return;
+  scan_ = scan;
+  turns_ = turns;
   for (QPushButton* button : buttons_) {
     button->hide();
     button->deleteLater();
   }
   buttons_.clear();
-  const SharedState& now = controller_.now();
-  if (now && controller_.idle() && !now->scans.empty() && now->scans.back().status == ScanStatus::Rejected) {
-    const KeptScan& scan = now->scans.back();
-    what_->setText(
-        tr("Scan %1 fits another turn of the table than was said. If the table stood there:").arg(scan.number));
-    for (const double turn : turnsThatFit(*now, scan)) {
-      const QString angle = QString::number(turn, 'f', 1) + QStringLiteral("°");
-      auto* button = makeButton(tr("It was taken at %1").arg(angle), QStringLiteral("takeAsFrom"),
-                                tr("Take the scan as one with the table at %1, counter-clockwise from its first "
-                                   "position, seen from above: there it fits.")
-                                    .arg(angle));
-      allow(*button, controller_.permissions().whyNot(TakeAsFrom{scan.number, turn}));
-      connect(button, &QPushButton::clicked, this,
-              [this, number = scan.number, turn] { controller_.takeAsFrom(number, turn); });
-      layout()->addWidget(button);
-      button->show();
-      buttons_.push_back(button);
-    }
+  if (!scan) return;
+  what_->setText(tr("Scan %1 fits another turn of the table than was said. If the table stood there:").arg(*scan));
+  for (const double turn : turns) {
+    const QString angle = QString::number(turn, 'f', 1) + QStringLiteral("°");
+    auto* button = makeButton(tr("It was taken at %1").arg(angle), QStringLiteral("takeAsFrom"),
+                              tr("Take the scan as one with the table at %1, counter-clockwise from its first "
+                                 "position, seen from above: there it fits.")
+                                  .arg(angle));
+    connect(button, &QPushButton::clicked, this, [this, scan = *scan, turn] { controller_.takeAsFrom(scan, turn); });
+    layout()->addWidget(button);
+    button->show();
+    buttons_.push_back(button);
   }
-  setVisible(!buttons_.empty());
 }
 
 }  // namespace vantage

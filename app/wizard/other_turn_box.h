@@ -1,6 +1,8 @@
 #pragma once
 
 #include <QWidget>
+#include <cstdint>
+#include <optional>
 #include <vector>
 
 class QLabel;
@@ -20,9 +22,12 @@ class OtherTurnBox final : public QWidget {
 
  private:
   void refresh();
+  void offer(std::optional<std::int64_t> scan, const std::vector<double>& turns);
 
   SessionController& controller_;
   QLabel* what_;
+  std::optional<std::int64_t> scan_;
+  std::vector<double> turns_;
   std::vector<QPushButton*> buttons_;
 };
 

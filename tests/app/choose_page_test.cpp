@@ -72,6 +72,19 @@ TEST_F(ChoosePageTest, AFolderThatWasTypedIsNotReplacedByASuggestion) {
   EXPECT_TRUE(folder->text().endsWith(object_->currentText().toLower())) << folder->text().toStdString();
 }
 
+TEST_F(ChoosePageTest, AsksForNothingOfTheSimulationWhereDevicesAreReal) {
+  page_->show();
+  const auto asks = [this](const char* name) { return page_->findChild<QWidget*>(name)->isVisible(); };
+  page_->entered();
+  EXPECT_TRUE(asks("object"));
+  EXPECT_TRUE(asks("simulation.ideal"));
+  auto* sensor = page_->findChild<QComboBox*>("sensor");
+  sensor->setCurrentIndex(sensor->findText("Files in a folder"));
+  EXPECT_FALSE(asks("object"));
+  EXPECT_FALSE(asks("simulation.ideal"));
+  EXPECT_TRUE(asks("max_views"));
+}
+
 // Devices, scanner and a calibration made with them: it is there still when the page is left once more.
 TEST_F(ChoosePageTest, ACalibrationThatWasMadeStaysWhenTheOperatorGoesBack) {
   testing::ToldDevices devices;

@@ -8,6 +8,7 @@
 #include <QThread>
 #include <atomic>
 #include <new>
+#include <thread>
 
 #include "base/errors.h"
 
@@ -90,6 +91,33 @@ TEST_P(AnyJobRunner, ReportsStartStepAndEndOfEachJob) {
   ASSERT_GE(progressed.count(), 1);
   EXPECT_EQ(progressed[0][1].toDouble(), 0.25);
   EXPECT_EQ(progressed[0][2].toString(), "measuring");
+}
+
+// What a thread still does when its work is done.
+struct Lingering {
+  std::atomic<bool>* goOn = nullptr;
+  ~Lingering() {
+    while (goOn != nullptr && !*goOn) QThread::msleep(1);
+  }
+};
+
+TEST(ThreadedJobRunner, DoesNotWaitForTheEndOfAThreadWhoseWorkIsDone) {
+  std::atomic<bool> goOn = false;
+  ThreadedJobRunner runner(1);
+  std::jthread late([&] {
+    for (int i = 0; i < 9000 && !goOn; ++i) QThread::msleep(1);
+    goOn = true;
+  });
+  const auto result = runToTheEnd<int>(runner, [&](const Progress&) {
+    thread_local Lingering lingering;
+    lingering.goOn = &goOn;
+    return 1;
+  });
+  EXPECT_EQ(result->value, 1);
+  EXPECT_FALSE(runner.busy());
+  EXPECT_FALSE(goOn);
+  goOn = true;
+  EXPECT_EQ(runToTheEnd<int>(runner, [](const Progress&) { return 2; })->value, 2);
 }
 
 TEST(ThreadedJobRunner, CancelIsAnsweredAtTheNextCheckpoint) {

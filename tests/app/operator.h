@@ -13,6 +13,7 @@
 #include <QTimer>
 #include <algorithm>
 #include <ctime>
+#include <fstream>
 
 #include "main_window.h"
 
@@ -87,21 +88,39 @@ class Stopwatch {
   std::clock_t computed_ = std::clock();
 };
 
-/// Measures the longest time that the event loop did not come round.
+/// How long this thread has been ready to go on and got no processor [ms]; 0 where the system does not tell.
+[[nodiscard]] inline qint64 keptFromComputing() {
+  std::ifstream file("/proc/thread-self/schedstat");
+  qint64 computed = 0;
+  qint64 kept = 0;
+  file >> computed >> kept;
+  return kept / 1'000'000;
+}
+
+/// Measures the longest time that the event loop did not come round, without that in which others had the processors:
+/// what is left it computed, or waited for something.
 class Watchdog {
  public:
   Watchdog() {
     timer_.setInterval(5);
     timer_.setTimerType(Qt::PreciseTimer);
-    QObject::connect(&timer_, &QTimer::timeout, [this] { longest_ = std::max(longest_, clock_.restart()); });
+    QObject::connect(&timer_, &QTimer::timeout, [this] { look(); });
     clock_.start();
     timer_.start();
   }
+  /// [ms]
   [[nodiscard]] qint64 longest() const { return longest_; }
 
  private:
+  void look() {
+    const qint64 kept = keptFromComputing();
+    longest_ = std::max(longest_, clock_.restart() - (kept - kept_));
+    kept_ = kept;
+  }
+
   QTimer timer_;
   QElapsedTimer clock_;
+  qint64 kept_ = keptFromComputing();
   qint64 longest_ = 0;
 };
 

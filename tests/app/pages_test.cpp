@@ -4,29 +4,23 @@
 
 #include <QAbstractButton>
 #include <QApplication>
-#include <QCheckBox>
 #include <QComboBox>
 #include <QDir>
 #include <QLabel>
 #include <QLineEdit>
-#include <QMessageBox>
-#include <QPushButton>
 #include <QShortcut>
 #include <QSpinBox>
 #include <QStatusBar>
 #include <QTemporaryDir>
 #include <cmath>
-#include <fstream>
 
-#include "app/told_devices.h"
-#include "ending_text.h"
+#include "app/window_checks.h"
 #include "geometry/measures.h"
 #include "main_window.h"
 #include "screenshots/painted_text.h"
 #include "screenshots/screenshot.h"
 #include "support/scenes/small_scene.h"
 #include "why_card.h"
-#include "wizard/device_editor.h"
 #include "wizard/import_dialog.h"
 #include "wizard/next_view_box.h"
 
@@ -85,56 +79,6 @@ class Desk {
   std::unique_ptr<MainWindow> window_;
 };
 
-// Texts that are not given the room that they ask for.
-QStringList clipped(const QWidget& window) {
-  QStringList names;
-  for (const auto* label : window.findChildren<QLabel*>()) {
-    if (!label->isVisible() || label->text().isEmpty()) continue;
-    const int needed = label->wordWrap() ? label->heightForWidth(label->width()) : label->sizeHint().height();
-    if (label->height() < needed || (!label->wordWrap() && label->width() < label->sizeHint().width()))
-      names << label->text();
-  }
-  for (const auto* button : window.findChildren<QAbstractButton*>()) {
-    const bool named = button->isVisible() && !button->text().isEmpty();
-    if (named && button->width() < QFontMetrics(button->font()).size(Qt::TextShowMnemonic, button->text()).width())
-      names << button->text();
-  }
-  return names;
-}
-
-// Widgets that take the keyboard but tell assistive technology nothing.
-QStringList nameless(const QWidget& window) {
-  QStringList names;
-  for (const auto* button : window.findChildren<QAbstractButton*>())
-    if (button->isVisible() && button->focusPolicy() != Qt::NoFocus && button->accessibleName().isEmpty() &&
-        button->text().isEmpty())
-      names << button->objectName() + QLatin1Char(' ') + button->metaObject()->className();
-  return names;
-}
-
-// Controls in sight that cannot be used and do not say why: their tooltip is empty, or the help of when they can be.
-QStringList unexplained(const QWidget& window) {
-  QStringList names;
-  for (const auto* widget : window.findChildren<QWidget*>()) {
-    const bool control = qobject_cast<const QAbstractButton*>(widget) != nullptr ||
-                         qobject_cast<const QComboBox*>(widget) != nullptr ||
-                         qobject_cast<const QAbstractSpinBox*>(widget) != nullptr;
-    if (!control || !widget->isVisible() || widget->isEnabled()) continue;
-    if (widget->toolTip().isEmpty() || widget->toolTip() == widget->property("help").toString())
-      names << widget->objectName() + QLatin1Char(' ') + widget->metaObject()->className();
-  }
-  return names;
-}
-
-// Whether a text is written anywhere in the window, in one piece of text or as a part of one.
-bool says(QWidget& window, const QString& text) {
-  for (const auto* label : window.findChildren<QLabel*>())
-    if (label->isVisible() && label->text().contains(text)) return true;
-  for (const testing::PaintedText& painted : testing::paintedText(window))
-    if (painted.text.contains(text)) return true;
-  return false;
-}
-
 struct Look {
   const char* name;
   QSize size;
@@ -147,13 +91,13 @@ class Pages : public ::testing::TestWithParam<Look> {
   void check(Desk& desk, const QString& page) {
     const QImage image = desk.picture(page + "_" + GetParam().name);
     EXPECT_TRUE(testing::isNotBlank(image)) << page.toStdString();
-    EXPECT_EQ(clipped(desk.window()).join(" | ").toStdString(), "") << page.toStdString();
+    EXPECT_EQ(testing::clipped(desk.window()).join(" | ").toStdString(), "") << page.toStdString();
     const auto texts = testing::paintedText(desk.window());
     EXPECT_GT(texts.size(), 20U) << page.toStdString();
     EXPECT_EQ(testing::cutOff(texts).join(" | ").toStdString(), "") << page.toStdString();
     EXPECT_EQ(testing::overlapping(texts).join(" | ").toStdString(), "") << page.toStdString();
-    EXPECT_EQ(nameless(desk.window()).join(" | ").toStdString(), "") << page.toStdString();
-    EXPECT_EQ(unexplained(desk.window()).join(" | ").toStdString(), "") << page.toStdString();
+    EXPECT_EQ(testing::nameless(desk.window()).join(" | ").toStdString(), "") << page.toStdString();
+    EXPECT_EQ(testing::unexplained(desk.window()).join(" | ").toStdString(), "") << page.toStdString();
     EXPECT_EQ(desk.window().size(), GetParam().size) << "the window grew: " << page.toStdString();
     if (!GetParam().kept || image.devicePixelRatio() != 1.0) return;
     EXPECT_TRUE(testing::matchesBaseline(image, "window_" + page.toStdString() + "_" + GetParam().name));
@@ -223,12 +167,14 @@ class Told : public ::testing::Test {
   // Looked at by people; what it says is compared.
   void lookAt(const QString& name) {
     EXPECT_TRUE(testing::isNotBlank(desk_.picture(QStringLiteral("told_") + name)));
-    EXPECT_EQ(clipped(desk_.window()).join(" | ").toStdString(), "") << name.toStdString();
-    EXPECT_EQ(unexplained(desk_.window()).join(" | ").toStdString(), "") << name.toStdString();
+    EXPECT_EQ(testing::clipped(desk_.window()).join(" | ").toStdString(), "") << name.toStdString();
+    EXPECT_EQ(testing::unexplained(desk_.window()).join(" | ").toStdString(), "") << name.toStdString();
   }
-  void expectSaid(const QString& text) { EXPECT_TRUE(says(desk_.window(), text)) << "nowhere: " << text.toStdString(); }
+  void expectSaid(const QString& text) {
+    EXPECT_TRUE(testing::says(desk_.window(), text)) << "nowhere: " << text.toStdString();
+  }
   void expectNotSaid(const QString& text) {
-    EXPECT_FALSE(says(desk_.window(), text)) << "somewhere: " << text.toStdString();
+    EXPECT_FALSE(testing::says(desk_.window(), text)) << "somewhere: " << text.toStdString();
   }
 
   Desk desk_{{1280, 800}, false};
@@ -333,77 +279,10 @@ TEST_F(Told, WhatIsKnownOfRecordedScansIsAskedInOneDialog) {
   const QImage image = dialog->grab().toImage();
   image.save(QStringLiteral(VANTAGE_SCREENSHOT_DIR) + "/window_import.png");
   EXPECT_TRUE(testing::isNotBlank(image));
-  EXPECT_EQ(clipped(*dialog).join(" | ").toStdString(), "");
-  EXPECT_EQ(nameless(*dialog).join(" | ").toStdString(), "");
-  EXPECT_EQ(unexplained(*dialog).join(" | ").toStdString(), "");
+  EXPECT_EQ(testing::clipped(*dialog).join(" | ").toStdString(), "");
+  EXPECT_EQ(testing::nameless(*dialog).join(" | ").toStdString(), "");
+  EXPECT_EQ(testing::unexplained(*dialog).join(" | ").toStdString(), "");
   dialog->reject();
-}
-
-// The window before real devices that a test tells what to do.
-class Devices : public ::testing::Test {
- protected:
-  void goToAcquire(const TableDevice& table) {
-    std::ofstream(folder_.filePath("scanner.json").toStdString()) << testing::smallProfileSource().text;
-    window_.resize(1280, 800);
-    window_.show();
-    auto* scanner = window_.findChild<QComboBox*>("scanner");
-    scanner->addItem("small", folder_.filePath("scanner.json"));
-    scanner->setCurrentIndex(scanner->count() - 1);
-    window_.findChild<QLineEdit*>("folder")->setText(folder_.filePath("out"));
-    window_.findChild<DeviceEditor*>()->setRig({FolderDevice{folder_.path().toStdString()}, table, {}, {}});
-    // The small object has few samples to lose.
-    for (const char* cut : {"cut.volume", "cut.flying_pixels", "cut.isolated"})
-      window_.findChild<QCheckBox*>(cut)->setChecked(false);
-    for (int i = 0; i < 5 && window_.wizard().page().key() != "acquire"; ++i) window_.wizard().goOn();
-    ASSERT_EQ(window_.wizard().page().key(), "acquire");
-  }
-  [[nodiscard]] qsizetype boxes() const { return window_.findChildren<QMessageBox*>().size(); }
-
-  QTemporaryDir folder_;
-  testing::ToldDevices devices_;
-  SynchronousJobRunner jobs_;
-  SessionController controller_{jobs_, "", devices_.factory()};
-  MainWindow window_{WindowParts{controller_, jobs_, testing::testSurfaces(), QStringLiteral(VANTAGE_RESOURCES)}, {}};
-};
-
-// A table that fails in a run: its card says so with the ways on, and no box says it a second time.
-TEST_F(Devices, AScanThatTheyFailedIsToldOnceWithTheWaysOn) {
-  goToAcquire(SerialTableDevice{"/dev/nothing", {}});
-  controller_.step();
-  devices_.table->failsNext = "was unplugged";
-  controller_.step();
-  ASSERT_TRUE(controller_.scanFailure().contains("was unplugged")) << controller_.scanFailure().toStdString();
-  EXPECT_TRUE(says(window_, controller_.scanFailure()));
-  for (const char* name : {"again", "byHand"}) EXPECT_TRUE(window_.findChild<QPushButton*>(name)->isVisible()) << name;
-  EXPECT_EQ(boxes(), 0);
-  window_.wizard().goOn();
-  ASSERT_EQ(window_.wizard().page().key(), "review");
-  devices_.table->failsNext = "was unplugged";
-  controller_.step();
-  EXPECT_EQ(boxes(), 1) << "the card is out of sight";
-}
-
-TEST_F(Devices, AScanThatFitsElsewhereIsOfferedFromThere) {
-  goToAcquire(HandTableDevice{});
-  for (const int position : {0, 1, 2, 3}) {
-    if (controller_.hasSession()) controller_.choosePosition(position);
-    controller_.step();
-  }
-  controller_.choosePosition(4);
-  devices_.handOff = 55.0;
-  controller_.step();
-  for (int i = 0; i < 5; ++i) QCoreApplication::processEvents();
-  QPushButton* offer = nullptr;
-  for (auto* button : window_.findChildren<QPushButton*>("takeAsFrom"))
-    if (button->isVisible()) offer = button;
-  // Where no position promises more the acquisition has ended with it.
-  EXPECT_EQ(window_.wizard().page().key(), "review");
-  ASSERT_TRUE(offer) << failedScanText(*controller_.now()).toStdString();
-  QDir().mkpath(QStringLiteral(VANTAGE_SCREENSHOT_DIR));
-  window_.grab().save(QStringLiteral(VANTAGE_SCREENSHOT_DIR) + "/window_3_fits_elsewhere.png");
-  EXPECT_EQ(clipped(window_).join(" | ").toStdString(), "");
-  offer->click();
-  EXPECT_EQ(controller_.now()->scans.back().status, ScanStatus::In);
 }
 
 TEST(PageText, EveryPageSaysWhatHappensNext) {

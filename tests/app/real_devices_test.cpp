@@ -124,7 +124,8 @@ TEST_F(RealDevices, AreTriedCalibratedAndScanTheMugByThemselves) {
   EXPECT_EQ(countScans(now, ScanStatus::In), 4U);
   // Where its handle is out of sight, nothing of the mug says how far it is turned.
   for (const KeptScan& scan : now.scans) EXPECT_LT(scan.record.registration.rms, 0.15) << scan.number;
-  EXPECT_LE(watchdog.longest(), 3 * kLongestBlock);
+  RecordProperty("longest_block_ms", static_cast<int>(watchdog.longest()));
+  EXPECT_LE(watchdog.longest(), kLongestBlock);
 }
 
 TEST_F(RealDevices, ATableThatIsUnpluggedPausesTheRunAndItGoesOnWhenItIsBack) {

@@ -86,6 +86,30 @@ TEST(SettingsForm, ExpertsOptionsAreFoldedAway) {
   EXPECT_TRUE(form.findChild<QWidget*>("registration.coarse_gate")->isVisible());
 }
 
+TEST(SettingsForm, WhatIsOfTheSimulatedScannerIsOutOfSightBeforeARealOne) {
+  SettingsForm form;
+  form.show();
+  const auto visible = [&form](const char* key) { return form.findChild<QWidget*>(key)->isVisible(); };
+  const char* keys[] = {"simulation.placement", "simulation.unit", "simulation.seed", "simulation.ideal"};
+  for (const char* key : keys) EXPECT_TRUE(visible(key)) << key;
+  form.setSimulated(false);
+  for (const char* key : keys) EXPECT_FALSE(visible(key)) << key;
+  EXPECT_TRUE(visible("max_views"));
+  form.setSimulated(true);
+  for (const char* key : keys) EXPECT_TRUE(visible(key)) << key;
+}
+
+TEST(SettingsForm, TheSeedOfPositionsAtRandomIsThatOfRealScannersToo) {
+  SettingsForm form;
+  form.show();
+  form.setSimulated(false);
+  type(form, "strategy", "random");
+  EXPECT_TRUE(form.findChild<QWidget*>("simulation.seed")->isVisible());
+  EXPECT_FALSE(form.findChild<QWidget*>("simulation.ideal")->isVisible());
+  type(form, "strategy", "ps");
+  EXPECT_FALSE(form.findChild<QWidget*>("simulation.seed")->isVisible());
+}
+
 TEST(SettingsForm, EveryKindOfEditorWritesItsSetting) {
   SettingsForm form;
   const QSignalSpy edited(&form, &SettingsForm::edited);

@@ -64,10 +64,9 @@ Outcome outcomeOf(const SimulatedImport& set) {
   for (std::size_t i = 0; i < state.scans.size(); ++i) {
     const KeptScan& scan = state.scans[i];
     const RegistrationResult& found = scan.record.registration;
-    outcome.reasons +=
-        " " + std::string(1, scan.status == ScanStatus::In ? (found.verdict == Verdict::Good ? '+' : '?') : '-') +
-        std::string(name(found.finding.reason)).substr(0, 9);
-    if (found.finding.value) outcome.reasons += ":" + std::to_string(*found.finding.value).substr(0, 4);
+    const char sign = scan.status != ScanStatus::In ? '-' : found.verdict == Verdict::Good ? '+' : '?';
+    outcome.reasons.append({' ', sign}).append(name(found.finding.reason), 0, 9);
+    if (found.finding.value) outcome.reasons.append(":").append(std::to_string(*found.finding.value), 0, 4);
     if (scan.status != ScanStatus::In) continue;
     ++outcome.in;
     if (found.verdict == Verdict::Doubtful) ++outcome.doubtful;

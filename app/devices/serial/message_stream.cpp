@@ -38,6 +38,7 @@ void MessageStream::feed(std::string_view bytes, Time now) {
     messages_.push_back(begun_);
     begun_.clear();
   }
+  behindRubbish_ = !prompt_.empty() && bytes == prompt_ && !begun_.empty() && !isPrompt() && now - last_ >= kRest;
   last_ = now;
   for (const char c : bytes) take(c);
 }
@@ -51,6 +52,13 @@ std::optional<std::string> MessageStream::next(Time now) {
     messages_.push_back(prompt_);
     begun_.clear();
   }
+  // One that came by itself, some time behind rubbish, takes longer to be known.
+  if (messages_.empty() && behindRubbish_ && now - last_ > kForgotten) {
+    behindRubbish_ = false;
+    begun_.pop_back();
+    messages_.push_back(std::exchange(begun_, {}));
+    messages_.push_back(prompt_);
+  }
   if (messages_.empty()) return std::nullopt;
   std::string message = std::move(messages_.front());
   messages_.pop_front();
@@ -60,7 +68,7 @@ std::optional<std::string> MessageStream::next(Time now) {
 void MessageStream::clear() {
   messages_.clear();
   begun_.clear();
-  overlong_ = false;
+  overlong_ = behindRubbish_ = false;
 }
 
 }  // namespace vantage

@@ -14,7 +14,8 @@ class MessageStream {
   using Time = std::chrono::steady_clock::time_point;
 
   /// @param ends characters, each of which ends a message; empty messages do not count.
-  /// @param prompt a character that is a message of its own where it stands alone and the line then rests; or none.
+  /// @param prompt a character that is a message of its own where it stands alone, or came some time after rubbish, and
+  /// the line then rests; or none.
   /// @param heartbeat a character that means nothing wherever it comes; or none.
   MessageStream(std::string ends, std::string prompt, std::string heartbeat);
 
@@ -30,6 +31,7 @@ class MessageStream {
   std::string ends_, prompt_, heartbeat_;
   std::string begun_;
   bool overlong_ = false;
+  bool behindRubbish_ = false;  // a prompt came by itself behind what has no end
   Time last_{};
   std::deque<std::string> messages_;
 };

@@ -127,6 +127,7 @@ void SerialTurntable::afterCancel() noexcept {
       return know(TableState::Unknown, std::nullopt);
     }
     if (before != TableState::Moving) return;
+    if (leftAlone_ && profile_->longestMove) return afterShortMove();
     const auto rest = motion_->stop(kStopping, [] {});
     if (rest) return know(TableState::Idle, rest);
     know(TableState::Unknown, std::nullopt);
@@ -139,6 +140,13 @@ void SerialTurntable::afterCancel() noexcept {
   } catch (const std::exception& e) {
     lose(e.what());
   }
+}
+
+// What cannot be stopped ends where it was told to, also when nobody waits for it.
+void SerialTurntable::afterShortMove() {
+  const double end = *leftAlone_;
+  if (motion_->awaitEnd(kStopping, [] {})) leftAlone_.reset();
+  know(leftAlone_ ? TableState::Unknown : TableState::Idle, end);
 }
 
 void SerialTurntable::afterLoss(const std::string& why, const TableDialog::Pulse& pulse) noexcept {
@@ -205,7 +213,7 @@ void SerialTurntable::finishStop(const TableDialog::Pulse& pulse) {
   }
   if (leftAlone_) {
     const double end = *std::exchange(leftAlone_, std::nullopt);
-    const bool ended = motion_->awaitEnd(end - origin_, pulse);
+    const bool ended = motion_->awaitEnd(motion_->longestMove(end - origin_), pulse);
     if (!ended) throw PositionLost("has not said that its last move is over");
     know(TableState::Idle, end);
   }
@@ -228,16 +236,24 @@ void SerialTurntable::turn(double units, const Progress& progress) {
   if (!known_.position) throw PositionLost("does not say where it stands");
   const double from = *known_.position;
   const double to = motion_->rounded(units);
-  know(TableState::Moving, from);
-  if (!profile_->status) leftAlone_ = to;
+  if (!profile_->status && to == from) return know(TableState::Idle, from);
+  double here = from;
   const auto watch = [&](double fraction, const std::optional<double>& position) {
     if (position) know(TableState::Moving, position);
-    progress.checkpoint(fraction);
+    progress.checkpoint(profile_->status ? fraction : std::abs((here - from) / (to - from)));
     if (stopAsked_) throw Cancelled();
   };
-  const double rest = motion_->move(from, to, watch);
-  leftAlone_.reset();
-  know(TableState::Idle, rest);
+  do {
+    const double end = motion_->nextEnd(here, to);
+    know(TableState::Moving, here);
+    if (!profile_->status) leftAlone_ = end;
+    here = motion_->move(here, end, watch);
+    leftAlone_.reset();
+    know(TableState::Idle, here);
+    if (profile_->status) return;
+    watch(0.0, {});
+  } while (here != to);
+  motion_->settle(pulseOf(progress));
 }
 
 TableAngle SerialTurntable::turnTo(double degrees, const Progress& progress) {

@@ -79,6 +79,7 @@ class SerialTurntable final : public Turntable {
   void checkStillThere(const TableDialog::Pulse& pulse);
   void turn(double units, const Progress& progress);
   void afterCancel() noexcept;
+  void afterShortMove();
   void afterLoss(const std::string& why, const TableDialog::Pulse& pulse) noexcept;
   void afterRefusal(const TableDialog::Pulse& pulse) noexcept;
 

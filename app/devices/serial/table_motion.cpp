@@ -203,7 +203,6 @@ double TableMotion::moveBlind(Course& course) {
       const auto took = std::chrono::duration<double>(dialog_.heardAt() - course.start).count();
       if (took * profile_.fastest < std::abs(degreesOf(course.to - course.from)))
         throw PositionLost("says that it has arrived sooner than it can turn, so that where it stands is not known");
-      pause(profile_.settle, pulse);
       return course.to;
     }
     if (!echoed && Clock::now() - course.start > kEcho)
@@ -215,8 +214,15 @@ double TableMotion::moveBlind(Course& course) {
                      " s that it has arrived, so that where it stands is not known; it may be stuck or have restarted");
 }
 
-bool TableMotion::awaitEnd(double units, const TableDialog::Pulse& pulse) {
-  const auto end = Clock::now() + longestMove(units);
+double TableMotion::nextEnd(double from, double to) const {
+  if (profile_.status || !profile_.longestMove) return to;
+  const double finest = std::pow(10.0, -profile_.move.decimals);
+  const double longest = std::max(finest, rounded(*profile_.longestMove * profile_.unitsPerTurn / 360.0));
+  return std::abs(to - from) <= longest ? to : rounded(from + std::copysign(longest, to - from));
+}
+
+bool TableMotion::awaitEnd(milliseconds patience, const TableDialog::Pulse& pulse) {
+  const auto end = Clock::now() + patience;
   while (Clock::now() < end)
     if (const auto message = dialog_.next(kPoll, pulse); message && message->kind == MessageKind::Done) return true;
   return false;

@@ -19,10 +19,18 @@ class TableMotion {
   /// @param dialog, profile outlive the motion
   TableMotion(TableDialog& dialog, const TableProfile& profile) : dialog_(dialog), profile_(profile) {}
 
-  /// Turns from one position to another [units], as fine as a command can say.
+  /// Turns from one position to another [units], as fine as a command can say. Whoever sees no reports of it lets the
+  /// object settle afterwards.
   /// @return where it rests
   /// @throws DeviceError when it is not moved, and stands where it stood; PositionLost otherwise; what the watch throws
   [[nodiscard]] double move(double from, double to, const Watch& watch);
+
+  /// The end of the next move on the way from one position to another [units]: all the way, or as far as it may turn
+  /// at a time.
+  [[nodiscard]] double nextEnd(double from, double to) const;
+
+  /// Lets the object come to rest after moves that nobody reports.
+  void settle(const TableDialog::Pulse& pulse) { pause(profile_.settle, pulse); }
 
   /// When a report last told that the table turns, in the move that has ended; nothing when none did.
   [[nodiscard]] std::optional<std::chrono::system_clock::time_point> turnedUntil() const { return turnedUntil_; }
@@ -32,7 +40,10 @@ class TableMotion {
   [[nodiscard]] std::optional<double> stop(std::chrono::milliseconds patience, const TableDialog::Pulse& pulse);
 
   /// Waits for the end of a move that was left alone. @return whether it came
-  [[nodiscard]] bool awaitEnd(double units, const TableDialog::Pulse& pulse);
+  [[nodiscard]] bool awaitEnd(std::chrono::milliseconds patience, const TableDialog::Pulse& pulse);
+
+  /// How long a move by so many units may take.
+  [[nodiscard]] std::chrono::milliseconds longestMove(double units) const;
 
   /// Resets the board, where it can be, and waits until it talks again.
   /// @return false when it does not, or raised an alarm thereby
@@ -52,7 +63,6 @@ class TableMotion {
   [[nodiscard]] std::optional<double> awaitRest(std::chrono::milliseconds patience, const TableDialog::Pulse& pulse);
   [[nodiscard]] std::string command(double from, double to) const;
   [[nodiscard]] double degreesOf(double units) const { return units * 360.0 / profile_.unitsPerTurn; }
-  [[nodiscard]] std::chrono::milliseconds longestMove(double units) const;
 
   TableDialog& dialog_;
   const TableProfile& profile_;

@@ -203,6 +203,7 @@ TableProfile readProfile(const nlohmann::json& document, const std::string& path
   profile.slowest = reader.number("slowest_deg_s", 0.0, 3600.0, true);
   profile.fastest = reader.number("fastest_deg_s", 0.0, 1e6, true, 1e5);
   profile.tolerance = reader.number("tolerance_deg", 0.0, 10.0, true);
+  if (reader.has("longest_move_deg")) profile.longestMove = reader.number("longest_move_deg", 0.0, 3600.0, true);
   profile.settle = secondsOr(reader, "settle_s", 0.5);
   readWire(reader, profile);
   readGreeting(reader.object("greeting"), profile);

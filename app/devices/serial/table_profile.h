@@ -54,6 +54,8 @@ struct TableProfile {
   double slowest = 1.0;    ///< [deg/s] slower than this is taken for stuck where it does not say where it is
   double fastest = 1e6;    ///< [deg/s] what claims to have been faster has not turned
   double tolerance = 0.1;  ///< [deg] between where it was told to go and where it says it is
+  /// [deg] turned by so much at a time where it can neither be stopped nor asked: a stop waits for the end of that
+  std::optional<double> longestMove;
   std::chrono::milliseconds settle{500};  ///< from its rest to that of the object on it
 
   std::string lineEnd;

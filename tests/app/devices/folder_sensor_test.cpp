@@ -239,6 +239,67 @@ TEST_F(FolderSensorTest, OfSeveralThatCameForOneTurnTheOldestIsTakenAndTheOthers
   expectTaken(*waiting, "next.ply");
 }
 
+// A scan is stopped while its file is still coming to rest; the next one finds it at rest.
+class StoppedFolderSensorTest : public FolderSensorTest {
+ protected:
+  void stopWhileAFileComesToRest() {
+    sensor().announceMove();
+    sensor().standAt(here_);
+    const auto waiting = capture();
+    static_cast<void>(folder_.write("scan.ply", text_));
+    waiting->stop();
+    ASSERT_TRUE(waiting->isOver(kSoon));
+    EXPECT_THROW(static_cast<void>(waiting->get()), Cancelled);
+    std::this_thread::sleep_for(2 * options_.rest);
+  }
+  // The next scan, from a place.
+  void scanAgain(const ReachedPose& pose) {
+    sensor().announceMove();
+    sensor().standAt(pose);
+  }
+  void expectRefused() {
+    ASSERT_EQ(sensor().refused().size(), 1U);
+    EXPECT_NE(sensor().refused()[0].reason.find("scan.ply: came for a scan that was stopped"), std::string::npos);
+    const auto waiting = capture();
+    EXPECT_FALSE(waiting->isOver(kLater));
+    static_cast<void>(folder_.write("scan.ply", text_ + " "));
+    expectTaken(*waiting, "scan.ply");
+    EXPECT_TRUE(sensor().refused().empty());
+  }
+
+  ReachedPose here_{0, Pose::Identity(), PoseSource::ByHand, {}, {}};
+};
+
+TEST_F(StoppedFolderSensorTest, TheNextScanFromThereTakesTheFile) {
+  stopWhileAFileComesToRest();
+  scanAgain(here_);
+  expectScan(sensor().capture({}));
+  EXPECT_EQ(fs::path(sensor().lastFile()).filename(), "scan.ply");
+  EXPECT_TRUE(sensor().refused().empty());
+}
+
+TEST_F(StoppedFolderSensorTest, FromElsewhereTheFileIsRefusedAndTakenWhenItIsSavedAgain) {
+  stopWhileAFileComesToRest();
+  ReachedPose elsewhere = here_;
+  elsewhere.T_table_scanner.rotate(Eigen::AngleAxisd(0.5, Vec3::UnitZ()));
+  scanAgain(elsewhere);
+  expectRefused();
+}
+
+TEST_F(StoppedFolderSensorTest, ATableThatAlwaysTurnsHasLeftTheFileBehind) {
+  options_.tableAlwaysTurns = true;
+  stopWhileAFileComesToRest();
+  scanAgain(here_);
+  expectRefused();
+}
+
+TEST_F(StoppedFolderSensorTest, AMoveThatFailedLeavesTheFileOfNoKnownPlace) {
+  stopWhileAFileComesToRest();
+  sensor().announceMove();
+  scanAgain(here_);
+  expectRefused();
+}
+
 // At whichever of the reports of reading the stop comes.
 TEST_F(FolderSensorTest, AStopWhileAFileIsTakenLeavesItForTheNextScan) {
   sensor().announceMove();

@@ -43,6 +43,19 @@ TEST(MessageStream, APromptStandsAloneAndIsFollowedByRest) {
   EXPECT_EQ(stream.next(later(1100)), ">");
 }
 
+TEST(MessageStream, APromptThatCameSomeTimeAfterRubbishIsOneWhenTheLineRestsLonger) {
+  const auto later = [](int time) { return Time{} + milliseconds(time); };
+  MessageStream stream("\r\n", ">", "");
+  stream.feed("x>y\x01", later(0));
+  stream.feed(">", later(100));
+  EXPECT_EQ(stream.next(later(200)), std::nullopt);
+  EXPECT_EQ(stream.next(later(400)), "x>y\x01");
+  EXPECT_EQ(stream.next(later(400)), ">");
+  stream.feed("x>y\x01", later(1000));
+  stream.feed(">", later(1010));
+  EXPECT_EQ(stream.next(later(1400)), std::nullopt) << "part of the rubbish";
+}
+
 TEST(MessageStream, DropsHeartbeatsAndWhatIsLongerThanAnyMessage) {
   MessageStream stream(";", "", "#");
   stream.feed("#CR+#OK;##" + std::string(100000, 'x') + ";CR+OK;", Time{});

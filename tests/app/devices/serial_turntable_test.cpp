@@ -63,11 +63,17 @@ const Firmware kFirmwares[] = {
 // At the speed of the stand-ins, for objects that do not tremble.
 std::string protocolOf(const Firmware& firmware) {
   const std::string name = firmware.protocol;
-  return name + ":settle_s=0" + (name == "fabscan" ? ":fastest_deg_s=1000" : "");
+  return name + ":settle_s=0" + (name == "fabscan" ? ":fastest_deg_s=20000" : "");
+}
+
+// One move of the table for every turn, so that a mishap comes in the second of them.
+std::string inOneMove(const Firmware& firmware) {
+  return protocolOf(firmware) + (firmware.protocol == std::string("fabscan") ? ":longest_move_deg=360" : "");
 }
 
 Bench bench(const Firmware& firmware, Mishap mishap) {
-  return Bench(firmware.make({.mishap = mishap, .unitsPerDegree = firmware.unitsPerDegree}), protocolOf(firmware));
+  return Bench(firmware.make({.mishap = mishap, .unitsPerDegree = firmware.unitsPerDegree}),
+               mishap == Mishap::None ? protocolOf(firmware) : inOneMove(firmware));
 }
 
 TEST(SerialTurntable, TurnsToAnglesWithEveryFirmware) {
@@ -166,7 +172,7 @@ TEST(SerialTurntable, AnEndThatIsNeverToldIsNoArrival) {
   for (const int i : {2, 3}) {
     const Firmware& firmware = kFirmwares[i];
     const Bench b(firmware.make({.mishap = Mishap::EndLost, .unitsPerDegree = firmware.unitsPerDegree}),
-                  protocolOf(firmware) + ":slowest_deg_s=100");
+                  inOneMove(firmware) + ":slowest_deg_s=100");
     static_cast<void>(b.turned(10.0));
     expectIn(b.messageOf(20.0), "has not said within 5 s that it has arrived");
     EXPECT_EQ(b.table->angle(), std::nullopt);
@@ -219,15 +225,43 @@ TEST(SerialTurntable, StopsAndSaysWhatIsThenKnown) {
     if (firmware.protocol == std::string("comxim")) {
       EXPECT_EQ(after.angle, std::nullopt) << "it does not tell where it was stopped";
       expectIn(*b.table->notReady(), "was stopped");
-    } else if (firmware.protocol == std::string("fabscan")) {
-      EXPECT_NEAR(after.angle->degrees, 350.0, 0.06) << "it cannot be stopped";
     } else {
       ASSERT_TRUE(after.angle);
       EXPECT_GT(after.angle->degrees, 5.0);
       EXPECT_LT(after.angle->degrees, 345.0);
+      EXPECT_NEAR(after.angle->degrees, b.standIn.degrees(), 0.01);
       EXPECT_NEAR(b.turned(0.0), 0.0, 0.01);
+      EXPECT_NEAR(b.standIn.degrees(), 0.0, 0.01);
     }
   }
+}
+
+// It can neither be stopped nor asked, and what is under way takes longer than who stops it waits.
+TEST(SerialTurntable, WaitsForTheEndOfAMoveThatItWasStoppedInBeforeTheNext) {
+  const Bench b(testing::fabscanStandIn({.unitsPerDegree = kFirmwares[2].unitsPerDegree}), inOneMove(kFirmwares[2]));
+  std::jthread operator_([&] {
+    while (b.table->status().state != TableState::Moving) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    std::this_thread::sleep_for(std::chrono::milliseconds(200));
+    b.table->stop();
+  });
+  EXPECT_THROW(static_cast<void>(b.table->turnTo(350.0, {})), Cancelled);
+  ASSERT_TRUE(b.table->angle());
+  EXPECT_NEAR(b.table->angle()->degrees, 350.0, 0.06) << "where it is going to stand";
+  EXPECT_NEAR(b.table->askStatus({}).angle->degrees, 350.0, 0.06);
+  EXPECT_NEAR(b.standIn.degrees(), 350.0, 0.06);
+}
+
+TEST(SerialTurntable, StoppedWhileTheObjectSettlesItStandsWhereItArrived) {
+  const Bench b(testing::fabscanStandIn({.unitsPerDegree = kFirmwares[2].unitsPerDegree}),
+                "fabscan:settle_s=20:fastest_deg_s=20000");
+  std::jthread operator_([&] {
+    while (std::abs(b.standIn.degrees() - 20.0) > 0.06) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    std::this_thread::sleep_for(std::chrono::milliseconds(200));
+    b.table->stop();
+  });
+  EXPECT_THROW(static_cast<void>(b.table->turnTo(20.0, {})), Cancelled);
+  ASSERT_TRUE(b.table->angle());
+  EXPECT_NEAR(b.table->angle()->degrees, 20.0, 0.06);
 }
 
 TEST(SerialTurntable, ThatIsUnpluggedCanBeConnectedAgain) {

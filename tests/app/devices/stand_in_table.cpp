@@ -44,6 +44,7 @@ class Board : public StandInFirmware {
     later_.clear();
     return silent_ ? std::string() : said;
   }
+  [[nodiscard]] double degrees() const override { return position_ / o_.unitsPerDegree; }
 
  protected:
   virtual std::string greeting() { return {}; }
@@ -374,6 +375,7 @@ void StandInTable::run(const std::stop_token& stop) {
     for (ssize_t i = 0; i < count; ++i) say(firmware_->hear(bytes[i]));
     const auto now = Clock::now();
     const std::string said = firmware_->tick(std::chrono::duration<double>(now - last).count());
+    degrees_ = firmware_->degrees();
     if (open) say(said);
     last = now;
   }

@@ -14,6 +14,8 @@ class StandInFirmware {
   virtual std::string start() = 0;
   virtual std::string hear(char c) = 0;
   virtual std::string tick(double seconds) = 0;
+  /// Where the plate stands.
+  [[nodiscard]] virtual double degrees() const = 0;
 };
 
 /// What goes wrong, in the second move.
@@ -46,6 +48,8 @@ class StandInTable {
   StandInTable& operator=(const StandInTable&) = delete;
 
   [[nodiscard]] const std::string& port() const { return port_; }
+  /// Where the plate stands, whatever the board says.
+  [[nodiscard]] double degrees() const { return degrees_; }
   void unplug();
 
  private:
@@ -55,6 +59,7 @@ class StandInTable {
   std::unique_ptr<StandInFirmware> firmware_;
   std::atomic<int> master_;
   std::string port_;
+  std::atomic<double> degrees_ = 0.0;
   std::jthread thread_;
 };
 
