@@ -8,6 +8,7 @@
 
 #include "acquisition/stand_composites.h"
 #include "geometry/measures.h"
+#include "report/completeness.h"
 #include "report/edges_left.h"
 #include "report/stands_report.h"
 #include "report/wording.h"
@@ -111,6 +112,15 @@ Json otherScanJson(const KeptScan& scan) {
   return json;
 }
 
+Json completenessJson(const AcquisitionState& state) {
+  const Completeness c = completenessOf(state.model ? state.model->mesh : Mesh{}, state.plan.get());
+  return {{"scannable_covered", c.scannableCovered},
+          {"whole_covered", c.wholeCovered},
+          {"holes", c.holes},
+          {"pieces", c.pieces},
+          {"closed", c.closed}};
+}
+
 }  // namespace
 
 nlohmann::ordered_json registrationJson(const RegistrationResult& registration) {
@@ -192,6 +202,7 @@ nlohmann::ordered_json makeReport(const AcquisitionState& given, const std::stri
   report["terminated_by"] = name(state.termination);
   report["remaining"] = state.plan ? remainingJson(*state.plan) : Json::array();
   report["model"] = modelJson(state.model ? state.model->mesh : Mesh{});
+  report["completeness"] = completenessJson(state);
   report["peak_memory_mb"] = peakMemory();
   return report;
 }
