@@ -65,19 +65,20 @@ void StandDesk::look() {
   state_ = now;
   failure_.clear();
   ++question_;
-  // A runner that works at once has the answer before it gives the number.
-  job_ = -1;
+  looking_ = true;
+  emit prospectChanged();
   const JobRunner::Id job = jobs_.run<std::shared_ptr<const StandProspect>>(
       tr("Looking for sides to put the object on"),
       [state = now](const Progress& progress) { return computeProspect(*state, progress); },
       [this, question = question_](JobResult<std::shared_ptr<const StandProspect>> result) {
         if (question == question_) finish(std::move(result));
       });
-  if (job_ == -1) job_ = job;
-  emit prospectChanged();
+  // A runner that works at once has the answer before it gives the number.
+  if (looking_) job_ = job;
 }
 
 void StandDesk::finish(JobResult<std::shared_ptr<const StandProspect>> result) {
+  looking_ = false;
   job_ = 0;
   if (result.value) prospect_ = std::move(*result.value);
   failure_ = result.cancelled ? tr("It was stopped.") : result.error;
@@ -87,6 +88,7 @@ void StandDesk::finish(JobResult<std::shared_ptr<const StandProspect>> result) {
 void StandDesk::stopLooking() {
   if (!looking()) return;
   ++question_;
+  looking_ = false;
   jobs_.cancel(std::exchange(job_, 0));
 }
 

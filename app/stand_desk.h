@@ -34,7 +34,7 @@ class StandDesk final : public QObject {
   /// else is.
   void look();
   void stopLooking();
-  [[nodiscard]] bool looking() const { return job_ != 0; }
+  [[nodiscard]] bool looking() const { return looking_; }
   /// Of the state of now; null while it is not known.
   [[nodiscard]] const std::shared_ptr<const StandProspect>& prospect() const { return prospect_; }
   /// Why it could not be found out, as a sentence; empty when nothing failed.
@@ -48,6 +48,8 @@ class StandDesk final : public QObject {
   [[nodiscard]] int stand() const;
   /// Whether it is not known yet how the object stands.
   [[nodiscard]] bool isOpen() const;
+  /// Whether it was tried to find that out, in vain.
+  [[nodiscard]] bool failedToAlign() const { return isOpen() && (tried_ || recorded_); }
   /// How it stands with the stand of now, as a sentence; empty for the first one.
   [[nodiscard]] QString sentence() const;
 
@@ -72,6 +74,7 @@ class StandDesk final : public QObject {
   SessionController& controller_;
   JobRunner& jobs_;
   SharedState state_;  // that was looked at, or is
+  bool looking_ = false;
   JobRunner::Id job_ = 0;
   int question_ = 0;
   std::shared_ptr<const StandProspect> prospect_;

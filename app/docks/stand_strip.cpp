@@ -41,6 +41,7 @@ std::vector<StandSpan> standSpans(const std::vector<Moment>& moments, int cursor
 StandStrip::StandStrip(QListWidget& moments) : QWidget(&moments), moments_(moments) {
   setObjectName(QStringLiteral("standStrip"));
   setAccessibleName(tr("Stands of the object"));
+  hide();
   connect(moments.horizontalScrollBar(), &QScrollBar::valueChanged, this, qOverload<>(&QWidget::update));
 }
 
@@ -81,6 +82,7 @@ void StandStrip::paintEvent(QPaintEvent* /*event*/) {
     const QRect room = seen.adjusted(kAround, 0, -kAround, 0);
     const QFontMetrics metrics(font);
     QString text = textOf(span);
+    if (metrics.horizontalAdvance(text) > room.width()) text = tr("Stand %1").arg(span.stand);
     if (metrics.horizontalAdvance(text) > room.width()) text = QString::number(span.stand);
     if (metrics.horizontalAdvance(text) <= room.width()) painter.drawText(room, Qt::AlignLeft | Qt::AlignVCenter, text);
   }

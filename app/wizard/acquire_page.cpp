@@ -148,6 +148,8 @@ QString AcquirePage::status() const {
 }
 
 QString AcquirePage::whatNext() const {
+  if (stands_.isOpen())
+    return tr("While this stand is scanned it is found out how the object was turned over; then both are one model.");
   if (controller().activity() == Activity::Running)
     return assisted() ? tr("After this scan the next position is shown.")
                       : tr("When nothing is left to see, the review opens by itself.");

@@ -32,7 +32,7 @@ QString statusText(const KeptScan& scan) {
     case ScanStatus::Waiting:
       return ReviewPage::tr("waits");
     case ScanStatus::Aside:
-      return ReviewPage::tr("of stand %1").arg(scan.station().stand);
+      return ReviewPage::tr("stand %1").arg(scan.station().stand);
     case ScanStatus::In:
       break;
   }
@@ -155,7 +155,7 @@ void ReviewPage::refreshLeft(const AcquisitionState& state) {
   if (!plan && state.termination == Termination::Imported)
     left_->add(tr("Not known: nothing is planned from recorded scans."), {});
   if (!plan || !plan->voids) return;
-  if (const QString own = ownModelText(state); !own.isEmpty()) left_->add(own, {});
+  if (!ownModelText(state).isEmpty()) left_->add(tr("Of this stand alone:"), {});
   for (const EdgesLeft& left : edgesLeft(*plan))
     left_->add(edgeReasonText(left.reason, plan->outcome), tr("%1 mm of edge").arg(figureText(left.length)));
   if (plan->voids->patches.empty()) left_->add(tr("Nothing: the surface is closed."), {});

@@ -39,7 +39,7 @@ StandBox::StandBox(SessionController& controller, StandDesk& desk, QWidget* pare
 void StandBox::refresh() {
   setVisible(desk_.stand() > 0);
   sentence_->setText(desk_.sentence());
-  setRole(*sentence_, desk_.isOpen() ? "warning" : "");
+  setRole(*sentence_, desk_.failedToAlign() ? "warning" : "");
   align_->setVisible(desk_.isOpen());
   back_->setText(desk_.stand() == 1 ? tr("Back to &one stand") : tr("Back to %1 st&ands").arg(desk_.stand()));
   back_->setAccessibleName(QString(back_->text()).remove(QLatin1Char('&')));

@@ -51,7 +51,7 @@ TurnOverPage::TurnOverPage(SessionController& controller, StandDesk& desk, const
 
 void TurnOverPage::build() {
   summary_->setObjectName(QStringLiteral("turnSummary"));
-  view_->setMinimumHeight(170);
+  view_->setMinimumHeight(150);
   view_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
   column().addWidget(summary_);
   column().addWidget(again_);

@@ -2,20 +2,18 @@
 
 #include <algorithm>
 #include <utility>
+#include <vector>
 
 namespace vantage {
 namespace {
 
 // How much of the table is seen around the object, as a share of the object's width.
-constexpr double kTableAround = 0.15;
+constexpr double kTableAround = 0.1;
 
-BoundingBox boxOf(const BoundingBox& box, const Pose& moved) {
-  BoundingBox all{moved * box.min, moved * box.min};
-  for (int corner = 0; corner < 8; ++corner)
-    all.extend(moved * Vec3((corner & 1) != 0 ? box.max.x() : box.min.x(),
-                            (corner & 2) != 0 ? box.max.y() : box.min.y(),
-                            (corner & 4) != 0 ? box.max.z() : box.min.z()));
-  return all;
+BoundingBox boxOf(const std::vector<Vec3>& points, const Pose& moved) {
+  BoundingBox box{moved * points.front(), moved * points.front()};
+  for (const Vec3& point : points) box.extend(moved * point);
+  return box;
 }
 
 }  // namespace
@@ -47,8 +45,9 @@ void StandScene::setMoving(bool moving) {
 }
 
 BoundingBox StandScene::box() const {
-  if (!geometry_) return {Vec3(-100.0, -100.0, 0.0), Vec3(100.0, 100.0, 60.0)};
-  BoundingBox box = boxOf(geometry_->box, T_table_object_);
+  if (!geometry_ || geometry_->model->mesh.vertices.empty())
+    return {Vec3(-100.0, -100.0, 0.0), Vec3(100.0, 100.0, 60.0)};
+  BoundingBox box = boxOf(geometry_->model->mesh.vertices, T_table_object_);
   const double around = kTableAround * std::max(box.size().x(), box.size().y());
   box.extend(Vec3(box.min.x() - around, box.min.y() - around, 0.0));
   box.extend(Vec3(box.max.x() + around, box.max.y() + around, 0.0));

@@ -26,6 +26,7 @@ class StandView final : public SceneView {
   /// Shows how it would stand, all of it in sight.
   void showStand(const Pose& T_object_table);
   void setTheme(const Theme& theme) override;
+  [[nodiscard]] QSize sizeHint() const override { return {300, 190}; }
 
   /// Takes a picture of every stand, one after the other, and shows the last one given to showStand again. Handed over
   /// when all are there; not when others were asked for meanwhile, or the view is gone.
