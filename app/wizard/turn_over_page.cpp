@@ -85,9 +85,7 @@ bool TurnOverPage::complete() const {
 }
 
 QString TurnOverPage::whatNext() const {
-  return tr(
-      "Turn the object over and scan on, or go to the review without. It is found out by itself how it was "
-      "turned.");
+  return tr("Scan on, or go to the review without. How it was turned over is found out by itself.");
 }
 
 std::optional<StandAdvice> TurnOverPage::side() const {
@@ -179,8 +177,8 @@ void TurnOverPage::refresh() {
   figures_->clear();
   if (chosen) {
     figures_->add(tr("It would show"), areaText(chosen->gain), tr("%1 of what is left").arg(shareText(chosen->share)));
-    figures_->add(tr("It falls over beyond"), angleText(chosen->margin),
-                  chosen->margin < kFallsEasily ? tr("easily: hold it, or take another side") : tr("of tilt"));
+    figures_->add(tr("It falls over beyond a tilt of"), angleText(chosen->margin),
+                  chosen->margin < kFallsEasily ? tr("easily: hold it, or take another side") : QString());
     if (!chosen->isNew) figures_->add(tr("It stood like this"), tr("already"));
   }
   emit changed();

@@ -98,7 +98,7 @@ TEST_F(StandPages, AWholeJobInTwoStands) {
   EXPECT_EQ(sides->chosen(), 0);
   EXPECT_FALSE(sides->item(0)->icon().isNull());
   expectSaid("On another side the scanner would see up to ");
-  expectSaid("It falls over beyond");
+  expectSaid("It falls over beyond a tilt of");
   look("turn_over");
   sides->setCurrentRow(1);
   look("turn_over_other");
