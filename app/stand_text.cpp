@@ -92,6 +92,16 @@ QString pictureCaption(const AcquisitionState& state, const QString& caption) {
   return own.isEmpty() ? caption : own + QStringLiteral(": ") + caption;
 }
 
+QString missingStandsText(const AcquisitionState& state) {
+  QStringList numbers;
+  for (const int stand : standsToAlign(state)) numbers << QString::number(stand);
+  if (numbers.isEmpty()) return {};
+  return numbers.size() == 1
+             ? Text::tr("Stand %1 is not in it: it is not put together with the object.").arg(numbers.front())
+             : Text::tr("Stands %1 are not in it: they are not put together with the object.")
+                   .arg(numbers.join(QStringLiteral(", ")));
+}
+
 QString standsText(const AcquisitionState& state) {
   QStringList lines;
   for (int stand = 0; stand <= state.stand() && state.stand() > 0; ++stand) lines << standSentence(state.stands, stand);

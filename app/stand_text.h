@@ -34,6 +34,9 @@ enum class StandRole : std::uint8_t {
 /// How a report calls a picture of what a state shows.
 [[nodiscard]] QString pictureCaption(const AcquisitionState& state, const QString& caption);
 
+/// Which stands have views that are no part of the object, as a sentence; empty where none has.
+[[nodiscard]] QString missingStandsText(const AcquisitionState& state);
+
 /// The stands of an object where it has several, one sentence each, a line for each; else empty.
 [[nodiscard]] QString standsText(const AcquisitionState& state);
 

@@ -121,6 +121,9 @@ TEST_F(StandPages, AWholeJobInTwoStands) {
   window_.wizard().goTo(QStringLiteral("review"));
   look("own_model_review");
   expectSaid("Stand 1, not put together with the object yet");
+  window_.wizard().goTo(QStringLiteral("finish"));
+  look("own_model_finish");
+  expectSaid("Stand 1 is not in it: it is not put together with the object.");
   window_.wizard().goTo(QStringLiteral("acquire"));
   click("run");
   const AcquisitionState& now = *controller_.now();

@@ -8,8 +8,7 @@
 namespace vantage {
 
 // Pictures that are being taken.
-struct StandView::Session {
-  int number = 0;
+struct StandView::Taking {
   std::vector<Pose> stands;
   std::vector<QImage> pictures;
   Taken taken;
@@ -27,7 +26,7 @@ StandView::~StandView() {
 }
 
 void StandView::setModel(const std::shared_ptr<const ModelGeometry>& geometry, const ScannerProfile* profile) {
-  ++asked_;
+  taking_.reset();
   scene_->set(geometry, profile);
   redraw();
 }
@@ -35,6 +34,7 @@ void StandView::setModel(const std::shared_ptr<const ModelGeometry>& geometry, c
 void StandView::showStand(const Pose& T_object_table) {
   shown_ = T_object_table;
   moved_ = false;
+  if (taking_) return;
   scene_->setStand(T_object_table);
   lookFrom(CameraPreset::Oblique);
 }
@@ -45,22 +45,25 @@ void StandView::setTheme(const Theme& theme) {
 }
 
 void StandView::takeStands(std::vector<Pose> T_object_table, const Taken& taken) {
-  takeNext(std::make_shared<Session>(Session{++asked_, std::move(T_object_table), {}, taken}));
+  taking_ = std::make_shared<Taking>(Taking{std::move(T_object_table), {}, taken});
+  takeNext();
 }
 
 // The scene has one pose at a time: the next picture is begun when the last is there.
-void StandView::takeNext(const std::shared_ptr<Session>& session) {
-  if (session->number != asked_) return;
-  if (session->pictures.size() == session->stands.size()) {
-    scene_->setStand(shown_);
-    redraw();
-    return session->taken(session->pictures);
-  }
-  scene_->setStand(session->stands[session->pictures.size()]);
-  takePictures({CameraPreset::Oblique}, [this, session](const std::vector<QImage>& pictures) {
-    session->pictures.push_back(pictures.front());
-    takeNext(session);
+void StandView::takeNext() {
+  if (taking_->pictures.size() == taking_->stands.size()) return finishTaking();
+  scene_->setStand(taking_->stands[taking_->pictures.size()]);
+  takePictures({CameraPreset::Oblique}, [this, taking = taking_](const std::vector<QImage>& pictures) {
+    if (taking != taking_) return;
+    taking_->pictures.push_back(pictures.front());
+    takeNext();
   });
+}
+
+void StandView::finishTaking() {
+  const auto taking = std::exchange(taking_, nullptr);
+  showStand(shown_);
+  taking->taken(taking->pictures);
 }
 
 Camera StandView::cameraFor(CameraPreset preset, double aspect) const {

@@ -23,7 +23,7 @@ class StandView final : public SceneView {
 
   /// @param geometry, profile as StandScene has them
   void setModel(const std::shared_ptr<const ModelGeometry>& geometry, const ScannerProfile* profile);
-  /// Shows how it would stand, all of it in sight.
+  /// Shows how it would stand, all of it in sight; while pictures are taken, after them.
   void showStand(const Pose& T_object_table);
   void setTheme(const Theme& theme) override;
   [[nodiscard]] QSize sizeHint() const override { return {300, 190}; }
@@ -42,12 +42,13 @@ class StandView final : public SceneView {
   void resizeEvent(QResizeEvent* event) override;
 
  private:
-  struct Session;
-  void takeNext(const std::shared_ptr<Session>& session);
+  struct Taking;
+  void takeNext();
+  void finishTaking();
 
   std::unique_ptr<StandScene> scene_;
   Pose shown_ = Pose::Identity();
-  int asked_ = 0;
+  std::shared_ptr<Taking> taking_;  // null while no pictures are taken
   bool moved_ = false;  // by the operator, since showStand
 };
 
