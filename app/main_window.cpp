@@ -47,8 +47,8 @@ MainWindow::MainWindow(const WindowParts& parts, const Preferences& preferences,
       preferences_(preferences),
       inspector_(new PositionInspector(parts.jobs, this)),
       views_(new SessionViews(parts.controller, *inspector_, parts.jobs, parts.surfaces, this)),
-      stands_(new StandDesk(parts.controller, parts.jobs, this)),
-      wizard_(new Wizard(parts.controller, *stands_, parts.surfaces, parts.resources)),
+      standDesk_(new StandDesk(parts.controller, parts.jobs, this)),
+      wizard_(new Wizard(parts.controller, *standDesk_, parts.surfaces, parts.resources)),
       why_(new WhyPanel(*inspector_)),
       timeLine_(new TimeLine(parts.controller)),
       jobs_(new JobPanel(parts.jobs)),
@@ -151,7 +151,7 @@ void MainWindow::addSessionMenu() {
   pause_ = addGuarded(session, tr("&Pause"), tr("F7"), [this] { controller_.pause(); });
   stop_ = addGuarded(session, tr("S&top"), tr("Shift+F5"), [this] { controller_.stop(); });
   turnOver_ = addGuarded(session, tr("&Turn the object over…"), tr("Ctrl+T"), [this] {
-    if (const QString why = stands_->whyNotTurn(); !why.isEmpty()) return say(why);
+    if (const QString why = standDesk_->whyNotTurn(); !why.isEmpty()) return say(why);
     wizard_->goTo(QStringLiteral("turn_over"));
   });
   session.addSeparator();
@@ -222,7 +222,7 @@ void MainWindow::refreshActions() {
   allow(*close_, may.whyNotClose());
   allow(*open_, may.whyNotOpen());
   allow(*import_, may.whyNotOpen());
-  allow(*turnOver_, stands_->whyNotTurn());
+  allow(*turnOver_, standDesk_->whyNotTurn());
 }
 
 // The session of last time is found again by its path.

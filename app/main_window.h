@@ -67,7 +67,7 @@ class MainWindow final : public QMainWindow {
   Preferences preferences_;
   PositionInspector* inspector_;
   SessionViews* views_;
-  StandDesk* stands_;
+  StandDesk* standDesk_;
   Wizard* wizard_;
   WhyPanel* why_;
   TimeLine* timeLine_;

@@ -104,23 +104,6 @@ std::string readingRows(const AcquisitionState& state) {
   return html;
 }
 
-// What became of the stands of an object that was turned over.
-std::string standsRows(const AcquisitionState& state) {
-  if (state.stand() == 0) return {};
-  std::string html;
-  for (int index = 0; index <= state.stand(); ++index) {
-    const Stand& stand = state.stands[static_cast<std::size_t>(index)];
-    const bool despite = stand.alignment && stand.alignment->choice == PoseChoice::Despite;
-    std::string text = index == 0              ? "the reference"
-                       : !stand.T_object_table ? "not in the model: it is not put together with the object"
-                       : despite               ? "in the model although something speaks against it"
-                                               : "in the model";
-    if (stand.alignment) text += ": " + describe(*stand.alignment);
-    html += row({"Stand " + std::to_string(index), escapedHtml(text)});
-  }
-  return html;
-}
-
 std::string summaryHtml(const AcquisitionState& state) {
   const AcquisitionSettings& settings = state.settings;
   const auto model = modelJson(state.model ? state.model->mesh : Mesh{});
@@ -133,7 +116,7 @@ std::string summaryHtml(const AcquisitionState& state) {
                             std::to_string(countScans(state, ScanStatus::LeftOut)) + " left out"});
   html +=
       row({"Model", model["triangles"].dump() + " triangles, " + figure(model["area_mm2"].get<double>(), 0) + " mm²"});
-  html += standsRows(state) + readingRows(state);
+  html += readingRows(state);
   html += row({"Boundary", model["boundary_edges"].dump() + " edges"});
   return html + "</table>\n";
 }

@@ -25,7 +25,7 @@ StandScene::StandScene() : turntable_(scene_), model_(scene_) {
 void StandScene::set(std::shared_ptr<const ModelGeometry> geometry, const ScannerProfile* profile) {
   geometry_ = std::move(geometry);
   turntable_.set(geometry_ ? profile : nullptr);
-  model_.set(geometry_, ModelColouring::Plain, 0);
+  model_.set(geometry_, ModelColouring::Plain, {});
 }
 
 void StandScene::setStand(const Pose& T_object_table) {
