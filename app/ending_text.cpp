@@ -50,6 +50,7 @@ QString failedScanText(std::int64_t number, std::optional<int> position, const F
 QString failedScanText(const AcquisitionState& state) {
   if (state.scans.empty() || state.scans.back().status != ScanStatus::Rejected) return {};
   const KeptScan& scan = state.scans.back();
+  if (scan.station().stand != state.stand()) return {};
   return failedScanText(scan.number, scan.station().position, scan.record.registration.finding) +
          Text::tr(" It is kept, but not part of the model. ") + remedy(state);
 }

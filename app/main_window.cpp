@@ -18,6 +18,8 @@
 #include "docks/time_line.h"
 #include "report_pictures.h"
 #include "settings/settings_dialog.h"
+#include "stand_desk.h"
+#include "stand_text.h"
 #include "window_theme.h"
 #include "wizard/import_dialog.h"
 #include "wizard/next_view_box.h"
@@ -45,7 +47,8 @@ MainWindow::MainWindow(const WindowParts& parts, const Preferences& preferences,
       preferences_(preferences),
       inspector_(new PositionInspector(parts.jobs, this)),
       views_(new SessionViews(parts.controller, *inspector_, parts.jobs, parts.surfaces, this)),
-      wizard_(new Wizard(parts.controller, parts.resources)),
+      standDesk_(new StandDesk(parts.controller, parts.jobs, this)),
+      wizard_(new Wizard(parts.controller, *standDesk_, parts.surfaces, parts.resources)),
       why_(new WhyPanel(*inspector_)),
       timeLine_(new TimeLine(parts.controller)),
       jobs_(new JobPanel(parts.jobs)),
@@ -147,6 +150,10 @@ void MainWindow::addSessionMenu() {
   step_ = addGuarded(session, tr("One &scan"), tr("F6"), [this] { controller_.step(); });
   pause_ = addGuarded(session, tr("&Pause"), tr("F7"), [this] { controller_.pause(); });
   stop_ = addGuarded(session, tr("S&top"), tr("Shift+F5"), [this] { controller_.stop(); });
+  turnOver_ = addGuarded(session, tr("&Turn the object over…"), tr("Ctrl+T"), [this] {
+    if (const QString why = standDesk_->whyNotTurn(); !why.isEmpty()) return say(why);
+    wizard_->goTo(QStringLiteral("turn_over"));
+  });
   session.addSeparator();
   addAction(session, tr("Next pa&ge"), tr("Alt+Right"), [this] { wizard_->goOn(); });
   addAction(session, tr("Page &before"), tr("Alt+Left"), [this] { wizard_->goBack(); });
@@ -215,6 +222,7 @@ void MainWindow::refreshActions() {
   allow(*close_, may.whyNotClose());
   allow(*open_, may.whyNotOpen());
   allow(*import_, may.whyNotOpen());
+  allow(*turnOver_, standDesk_->whyNotTurn());
 }
 
 // The session of last time is found again by its path.
@@ -280,6 +288,7 @@ void MainWindow::applyPreferences(const Preferences& preferences) {
   views_->setTheme(theme);
   views_->setNavigation(static_cast<NavigationScheme>(preferences.navigation));
   why_->setTheme(theme);
+  wizard_->setTheme(theme);
 }
 
 void MainWindow::editSettings() {
@@ -294,7 +303,9 @@ void MainWindow::editSettings() {
 
 // With the model as the view shows it. Pictures are packed where the report is written: that takes longer than drawing.
 void MainWindow::writeReport(const QString& path) {
-  const QStringList captions{tr("The model"), tr("From the front"), tr("From above")};
+  QStringList captions{tr("The model"), tr("From the front"), tr("From above")};
+  if (const SharedState& shown = controller_.shown())
+    for (QString& caption : captions) caption = pictureCaption(*shown, caption);
   views_->model().view().takePictures(kReportSides, [this, path, captions](const std::vector<QImage>& pictures) {
     controller_.writeReport(path, [pictures, captions](const AcquisitionState& state) {
       HtmlReportOptions options;

@@ -11,6 +11,7 @@ namespace vantage {
 
 class JobPanel;
 class LogPanel;
+class StandDesk;
 class TimeLine;
 
 /// What the window is made with.
@@ -66,6 +67,7 @@ class MainWindow final : public QMainWindow {
   Preferences preferences_;
   PositionInspector* inspector_;
   SessionViews* views_;
+  StandDesk* standDesk_;
   Wizard* wizard_;
   WhyPanel* why_;
   TimeLine* timeLine_;
@@ -81,6 +83,7 @@ class MainWindow final : public QMainWindow {
   QAction* undo_ = nullptr;
   QAction* redo_ = nullptr;
   QAction* close_ = nullptr;
+  QAction* turnOver_ = nullptr;
   QByteArray firstLayout_;
 };
 

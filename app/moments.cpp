@@ -10,6 +10,8 @@ Moment momentOf(const HistoryEntry& entry, bool undone) {
   Moment moment;
   moment.text = commandText(entry.command);
   moment.views = static_cast<int>(countScans(*entry.outline, ScanStatus::In));
+  moment.stand = static_cast<int>(entry.outline->stands.size()) - 1;
+  moment.outline = entry.outline;
   moment.undone = undone;
   const auto* added = std::get_if<AddScan>(&entry.command);
   if (added == nullptr) return moment;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QString>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -15,7 +16,10 @@ struct Moment {
   std::optional<int> position;  ///< of the scan that led to it; nothing for other commands
   double newArea = 0.0;         ///< that the scan brought [mm^2]
   bool rejected = false;        ///< the scan did not find its place
-  bool undone = false;          ///< it is behind the cursor and can be redone
+  int stand = 0;                ///< that the object was in
+  /// The outline after it; shared with the history.
+  std::shared_ptr<const StateOutline> outline = nullptr;
+  bool undone = false;  ///< it is behind the cursor and can be redone
 };
 
 [[nodiscard]] std::vector<Moment> momentsOf(const History& history);

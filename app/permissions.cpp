@@ -1,6 +1,9 @@
 #include "permissions.h"
 
+#include <algorithm>
+
 #include "acquisition/may_do.h"
+#include "acquisition/stand_composites.h"
 #include "devices/real_rig.h"
 #include "refusal_text.h"
 
@@ -17,6 +20,13 @@ std::optional<Refusal> refusalOfScan(const SharedState& now) {
   AcquisitionState open = *now;
   if (open.termination == Termination::EndedByOperator) open.termination = Termination::Running;
   return mayScan(open);
+}
+
+// Whether the object has a model, in work or set aside.
+bool hasObject(const AcquisitionState& state) {
+  if (compositeInWork(state) == kObjectComposite) return state.model != nullptr;
+  return std::any_of(state.aside.begin(), state.aside.end(),
+                     [](const ModelAside& aside) { return aside.composite == kObjectComposite; });
 }
 
 }  // namespace
@@ -81,7 +91,7 @@ QString Permissions::whyNotRedo() const {
 }
 
 QString Permissions::whyNotExport() const {
-  return busyOr(unless(at_.now && at_.now->model, RefusalReason::NothingScanned));
+  return busyOr(unless(at_.now && hasObject(*at_.now), RefusalReason::NothingScanned));
 }
 
 QString Permissions::whyNotAddScans() const {

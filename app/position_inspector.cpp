@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "acquisition/further_scan.h"
+#include "acquisition/stand_composites.h"
 #include "acquisition/steps.h"
 
 namespace vantage {
@@ -56,6 +57,7 @@ void PositionInspector::inspect(const std::shared_ptr<const AcquisitionState>& s
   jobs_.cancel(job_);
   insight_ = PositionInsight{explain(*plan, position), plan, nullptr, nullptr, roleOf(*state, position)};
   const auto proposed = proposedScan(*state);
+  insight_->composite = compositeInWork(*state);
   insight_->planHolds = !proposed || proposed->position == plan->position;
   emit changed();
   if (!plan->voids || !state->model) return;

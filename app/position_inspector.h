@@ -33,6 +33,7 @@ struct PositionInsight {
   std::shared_ptr<const ScannerPicture> picture;  ///< null until it is computed
   PositionRole role = PositionRole::None;
   bool planHolds = true;  ///< what the plan proposes is proposed still: no scan has failed since
+  int composite = 0;      ///< that the plan is for: 0, the object, or a stand that is not put together with it yet
 };
 
 /// Answers "why this view, why not that one" for a position of a state. The record is told at once, what has to be

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "acquisition/model_colours.h"
+#include "acquisition/stand_composites.h"
 #include "base/atomic_file.h"
 #include "base/errors.h"
 #include "devices/standing_object.h"
@@ -190,6 +191,12 @@ Acquisition::StepObserver SessionController::publisher(const SessionPointer& ses
   };
 }
 
+StandTold SessionController::tellOfStand() {
+  return [this](int stand, const std::shared_ptr<const StandAlignment>& alignment) {
+    QMetaObject::invokeMethod(this, [this, stand, alignment] { emit standTried(stand, alignment); });
+  };
+}
+
 void SessionController::scanInBackground(bool untilTheEnd) {
   const auto begun = [this, setUp = setUp_](const SessionPointer& session) {
     QMetaObject::invokeMethod(this, [this, session, setUp, present = Present::of(*session)]() mutable {
@@ -213,7 +220,7 @@ void SessionController::scanInBackground(bool untilTheEnd) {
           rememberDevices(*session, *setUp);
         Rig rig = use.rig();
         if (std::holds_alternative<RealDevices>(*setUp->devices)) rig = remarked(rig, *session);
-        Acquisition acquisition(*session, {rig, setUp->images}, publisher(session));
+        Acquisition acquisition(*session, {rig, setUp->images, tellingAligner(tellOfStand())}, publisher(session));
         if (isNew) {
           if (mode != acquisition.state()->mode) acquisition.carryOut(ChangeMode{mode});
           begun(session);
@@ -221,15 +228,12 @@ void SessionController::scanInBackground(bool untilTheEnd) {
         if (acquisition.state()->termination == Termination::EndedByOperator)
           acquisition.carryOut(Finish{Termination::Running});
         try {
-          if (untilTheEnd)
-            acquisition.runUntilTheEnd(progress, [pause] { return pause->load(); });
-          else
-            acquisition.scanNext(progress);
+          return scanStand(
+              acquisition, untilTheEnd, [pause] { return pause->load(); }, progress);
         } catch (const DeviceError&) {
           use.drop();
           throw;
         }
-        return acquisition.state()->termination != Termination::Running;
       },
       [this](bool ended) {
         if (ended) emit runEnded();
@@ -337,26 +341,29 @@ std::optional<TurnAdvice> SessionController::turnTo(int position) const {
   return adviseTurn(*setUp_->profile, present().tablePosition(), position);
 }
 
-void SessionController::move(bool backward) {
+void SessionController::moveTo(int moment, const QString& title) {
   work_.begin<Present>(
-      Activity::Changing, backward ? tr("Undo") : tr("Redo"),
-      [session = keeper_.session(), backward](const Progress& /*progress*/) {
+      Activity::Changing, title,
+      [session = keeper_.session(), moment = static_cast<std::size_t>(moment)](const Progress& /*progress*/) {
         Acquisition acquisition(*session);
-        if (backward)
-          acquisition.undo();
-        else
-          acquisition.redo();
+        while (session->history().cursor() > moment) acquisition.undo();
+        while (session->history().cursor() < moment) acquisition.redo();
         return Present::of(*session);
       },
       [this](Present present) { publish(std::move(present)); });
 }
 
 void SessionController::undo() {
-  if (allowed(permissions().whyNotUndo())) move(true);
+  if (allowed(permissions().whyNotUndo())) moveTo(present_.cursor() - 1, tr("Undo"));
 }
 
 void SessionController::redo() {
-  if (allowed(permissions().whyNotRedo())) move(false);
+  if (allowed(permissions().whyNotRedo())) moveTo(present_.cursor() + 1, tr("Redo"));
+}
+
+void SessionController::goBackTo(int moment) {
+  if (moment < 0 || moment >= present_.cursor()) return;
+  if (allowed(permissions().whyNotUndo())) moveTo(moment, tr("Undo"));
 }
 
 void SessionController::showMoment(int index) {
@@ -389,8 +396,9 @@ void SessionController::exportModel(const QString& path) {
       Activity::Writing, tr("Writing %1").arg(path),
       [state = now(), path = path.toStdString(), inputs = filesInUse()](const Progress& progress) {
         checkOutput(path, OutputKind::Mesh, inputs);
-        const VertexColours colours = holdsColours(path) ? coloursOf(*state, progress.part(0.0, 0.5)) : VertexColours{};
-        vantage::exportModel(*state->model, path, progress.part(0.5, 1.0), worldOffset(outlineOf(*state)), colours);
+        const AcquisitionState object = withObject(*state);
+        const VertexColours colours = holdsColours(path) ? coloursOf(object, progress.part(0.0, 0.5)) : VertexColours{};
+        vantage::exportModel(*object.model, path, progress.part(0.5, 1.0), worldOffset(outlineOf(object)), colours);
         return true;
       },
       [this, path](bool) { emit written(path); });
@@ -405,7 +413,8 @@ void SessionController::writeReport(const QString& path, ReportParts parts) {
         progress.checkpoint(0.0);
         checkOutput(path, OutputKind::Report, inputs);
         AtomicFile file(path);
-        file.write(makeHtmlReport(*state, parts(*state)));
+        const AcquisitionState object = withObject(*state);
+        file.write(makeHtmlReport(object, parts(object)));
         file.commit();
         return true;
       },

@@ -23,6 +23,7 @@
 #include "session_import.h"
 #include "session_keeper.h"
 #include "set_up.h"
+#include "stand_scanning.h"
 #include "turn_advice.h"
 #include "undertaking.h"
 
@@ -105,6 +106,8 @@ class SessionController final : public QObject {
   /// The position of the next scan; nothing goes back to what the plan proposes.
   void choosePosition(std::optional<int> position);
   void endHere();
+  /// Carries out a command that needs no scan.
+  void change(const Command& command);
   /// Raises the greatest number of views.
   void allowMoreViews(int more);
   void leaveOut(std::int64_t scan);
@@ -119,6 +122,8 @@ class SessionController final : public QObject {
   [[nodiscard]] std::optional<TurnAdvice> turnTo(int position) const;
   void undo();
   void redo();
+  /// Undoes all that was done after a moment.
+  void goBackTo(int moment);
 
   /// What the views show: now, or an earlier moment.
   [[nodiscard]] const SharedState& shown() const { return shown_ ? shown_ : now(); }
@@ -127,6 +132,7 @@ class SessionController final : public QObject {
   void showMoment(int index);
   void showNow();
 
+  /// The model of the object: without stands that are not put together with it yet.
   void exportModel(const QString& path);
   /// What a report on a state shows beside its figures; called beside the window.
   using ReportParts = std::function<HtmlReportOptions(const AcquisitionState&)>;
@@ -143,6 +149,8 @@ class SessionController final : public QObject {
   void sessionChanged();  ///< opened, begun or closed
   void stateChanged();    ///< the present
   void shownChanged();
+  /// While scans were taken a stand was aligned, or could not be.
+  void standTried(int stand, const std::shared_ptr<const StandAlignment>& alignment);
   void runEnded();                        ///< an acquisition ended by itself
   void imported();                        ///< recorded scans are in the session
   void importFailed(const QString& why);  ///< nothing of them is, or not all
@@ -159,14 +167,14 @@ class SessionController final : public QObject {
   void scanInBackground(bool untilTheEnd);
   /// Whether there is nothing to say against; what there is, is said.
   bool allowed(const QString& whyNot);
-  void change(const Command& command);
   /// What must not be written over.
   [[nodiscard]] std::vector<std::string> filesInUse() const;
-  void move(bool backward);
+  void moveTo(int moment, const QString& title);
   void adopt(const SessionPointer& session, const SharedSetUp& setUp, const QString& page);
   void replace(const OpenedSession& opened, const Present& present, const QString& page, bool isImported);
   void publish(Present present);
   [[nodiscard]] Present presentBefore() const;
+  [[nodiscard]] StandTold tellOfStand();
   [[nodiscard]] Acquisition::StepObserver publisher(const SessionPointer& session);
 
   JobRunner& jobs_;

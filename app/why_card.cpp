@@ -147,6 +147,10 @@ WhyCard makeWhyCard(const PositionInsight& insight) {
   WhyCard card;
   card.title = Text::tr("Position %1").arg(why.position);
   card.verdict = roleText(insight.role) + planVerdict(why, insight.planHolds);
+  if (insight.composite > 0)
+    card.verdict +=
+        Text::tr(" The model here is that of stand %1 alone, which is not put together with the object yet.")
+            .arg(insight.composite);
   addVoid(card, why);
   addRegistration(card, why);
   addPatches(card, why);

@@ -31,13 +31,6 @@ bool hasViews(const AcquisitionState& state) {
   return lastView(state, state.stand()) != nullptr;
 }
 
-// Whether what would come of an alignment is not known of some stand.
-bool isUntried(const AcquisitionState& state) {
-  const std::vector<int> open = standsToAlign(state);
-  return std::any_of(open.begin(), open.end(),
-                     [&](int stand) { return state.stands[static_cast<std::size_t>(stand)].alignment == nullptr; });
-}
-
 bool takesLong(const AcquisitionState& state) {
   return state.model && state.model->mesh.triangles.size() > kWrittenAtOnce;
 }
@@ -215,7 +208,7 @@ Acquisition::StepObserver SessionRun::observer(PersonAtTable* person) {
 
 // Acquires the stand of now to its end, and finds out how the object stands in it.
 void SessionRun::acquireStand(const DeviceSetUp& devices, const SharedImages& images, PersonAtTable* person) {
-  if (last_->termination != Termination::Running && !isUntried(*last_)) return;
+  if (last_->termination != Termination::Running && !hasUntriedStand(*last_)) return;
   // Scans that were taken before have moved a simulated turntable, whatever became of them.
   Rig rig = DeviceFactory().open(withObjectAsItStands(devices, *last_), session_.scanCount(), context_.progress());
   if (std::holds_alternative<RealDevices>(devices)) rig = remarked(rig, session_);
@@ -227,7 +220,7 @@ void SessionRun::acquireStand(const DeviceSetUp& devices, const SharedImages& im
   bool goesOn = true;
   while (goesOn) {
     goesOn = goOn(acquisition, skipped, person);
-    if (course_) findPlace(acquisition);
+    if (course_) static_cast<void>(findPlaces(acquisition, context_.progress()));
     goesOn = goesOn && last_->termination == Termination::Running;
   }
 }
@@ -253,12 +246,6 @@ bool SessionRun::goOn(Acquisition& acquisition, std::set<int>& skipped, PersonAt
     return false;
   }
   return true;
-}
-
-void SessionRun::findPlace(Acquisition& acquisition) {
-  const bool ended = last_->termination != Termination::Running;
-  if (ended ? !isUntried(*last_) : !mayFindItsPlace(*last_)) return;
-  static_cast<void>(alignStands(acquisition, ended, context_.progress()));
 }
 
 // Puts the object on another side. @return whether that is worth while

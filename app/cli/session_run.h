@@ -33,7 +33,6 @@ class SessionRun {
   void acquireAll(const DeviceSetUp& devices, PersonAtTable* person);
   void acquireStand(const DeviceSetUp& devices, const SharedImages& images, PersonAtTable* person);
   bool goOn(Acquisition& acquisition, std::set<int>& skipped, PersonAtTable* person);
-  void findPlace(Acquisition& acquisition);
   [[nodiscard]] bool turnOver(const SharedImages& images);
   [[nodiscard]] Acquisition::StepObserver observer(PersonAtTable* person);
   void tellLast(PersonAtTable* person);

@@ -2,6 +2,7 @@
 
 #include <QCoreApplication>
 
+#include "docks/stand_strip.h"
 #include "why_card.h"
 
 namespace vantage {
@@ -18,7 +19,8 @@ QString caption(const Moment& moment) {
 
 }  // namespace
 
-TimeLine::TimeLine(SessionController& controller, QWidget* parent) : QListWidget(parent), controller_(controller) {
+TimeLine::TimeLine(SessionController& controller, QWidget* parent)
+    : QListWidget(parent), controller_(controller), stands_(new StandStrip(*this)) {
   setFlow(QListView::LeftToRight);
   setWrapping(false);
   setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
@@ -48,7 +50,26 @@ void TimeLine::refresh() {
                       QSize(20, 12));
     if (moment.undone) item->setForeground(palette().color(QPalette::Disabled, QPalette::Text));
   }
+  stands_->setSpans(standSpans(controller_.present().moments(), controller_.present().cursor()));
+  placeStrip();
   mark();
+}
+
+int TimeLine::stripHeight() const {
+  return stands_->isEmpty() ? 0 : fontMetrics().height() + 6;
+}
+
+void TimeLine::placeStrip() {
+  if (viewportMargins().top() != stripHeight()) {
+    setViewportMargins(0, stripHeight(), 0, 0);
+    updateGeometry();
+  }
+  stands_->setGeometry(viewport()->x(), viewport()->y() - stripHeight(), viewport()->width(), stripHeight());
+}
+
+void TimeLine::resizeEvent(QResizeEvent* event) {
+  QListWidget::resizeEvent(event);
+  placeStrip();
 }
 
 void TimeLine::mark() {

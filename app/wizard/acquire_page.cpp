@@ -11,9 +11,13 @@
 #include "form_parts.h"
 #include "geometry/measures.h"
 #include "report/areas_known.h"
+#include "stand_desk.h"
+#include "stand_text.h"
 #include "why_card.h"
 #include "wizard/next_view_box.h"
+#include "wizard/object_figures.h"
 #include "wizard/other_turn_box.h"
+#include "wizard/stand_box.h"
 
 namespace vantage {
 namespace {
@@ -22,7 +26,7 @@ constexpr int kMoreViews = 10;
 
 }  // namespace
 
-AcquirePage::AcquirePage(SessionController& controller, QWidget* parent)
+AcquirePage::AcquirePage(SessionController& controller, StandDesk& stands, QWidget* parent)
     : WizardPage(controller, parent),
       mode_(new QTabBar),
       failure_(makeLabel({}, "warning")),
@@ -41,7 +45,10 @@ AcquirePage::AcquirePage(SessionController& controller, QWidget* parent)
                        true)),
       more_(makeButton(tr("&Allow %1 more views").arg(kMoreViews), QStringLiteral("more"),
                        tr("Raise the greatest number of views, so that you can go on."))),
-      end_(makeButton(tr("&End here"), QStringLiteral("end"), tr("End the acquisition with what has been scanned."))) {
+      end_(makeButton(tr("&End here"), QStringLiteral("end"), tr("End the acquisition with what has been scanned."))),
+      turnOver_(makeButton(tr("&Turn over…"), QStringLiteral("turnOver"),
+                           tr("Put the object on another side, to scan what this stand hides."))),
+      stands_(stands) {
   build();
   connect(mode_, &QTabBar::currentChanged, this,
           [this](int tab) { this->controller().setMode(tab == 1 ? Mode::Assisted : Mode::Automatic); });
@@ -63,7 +70,11 @@ AcquirePage::AcquirePage(SessionController& controller, QWidget* parent)
   connect(&controller, &SessionController::activityChanged, this, &AcquirePage::refresh);
   connect(&controller, &SessionController::stateChanged, this, &AcquirePage::refresh);
   connect(&controller, &SessionController::stepChanged, this, [this] { status_->setText(status()); });
-  connect(&controller, &SessionController::runEnded, this, &AcquirePage::finished);
+  connect(turnOver_, &QPushButton::clicked, this, [this] { emit wanted(QStringLiteral("turn_over")); });
+  // A stand that is not put together with the object is first of all that.
+  connect(&controller, &SessionController::runEnded, this, [this] {
+    if (!stands_.isOpen()) emit finished();
+  });
   refresh();
 }
 
@@ -82,6 +93,9 @@ void AcquirePage::build() {
   ways->addWidget(byHand_);
   column().addLayout(ways);
   column().addWidget(status_);
+  auto* stand = new StandBox(controller(), stands_);
+  connect(stand, &StandBox::turnWanted, this, [this] { emit wanted(QStringLiteral("turn_over")); });
+  column().addWidget(stand);
   auto* buttons = new QGridLayout;
   buttons->addWidget(run_, 0, 0, 1, 3);
   buttons->addWidget(scan_, 1, 0, 1, 3);
@@ -94,7 +108,10 @@ void AcquirePage::build() {
   addSection(tr("So far"));
   column().addWidget(figures_);
   column().addStretch();
-  column().addWidget(end_);
+  auto* ends = new QHBoxLayout;
+  ends->addWidget(end_);
+  ends->addWidget(turnOver_);
+  column().addLayout(ends);
 }
 
 void AcquirePage::setAssisted(bool assisted) {
@@ -131,6 +148,8 @@ QString AcquirePage::status() const {
 }
 
 QString AcquirePage::whatNext() const {
+  if (stands_.isOpen())
+    return tr("While this stand is scanned it is found out how the object was turned over; then both are one model.");
   if (controller().activity() == Activity::Running)
     return assisted() ? tr("After this scan the next position is shown.")
                       : tr("When nothing is left to see, the review opens by itself.");
@@ -142,7 +161,7 @@ QString AcquirePage::whatNext() const {
 }
 
 bool AcquirePage::complete() const {
-  return controller().idle() && controller().now() && controller().now()->model;
+  return controller().idle() && hasAnyModel(controller().now());
 }
 
 void AcquirePage::refresh() {
@@ -174,6 +193,7 @@ void AcquirePage::refresh() {
   const bool stoppable = !controller().idle() && controller().activity() != Activity::Stopping;
   allow(*stop_, stoppable ? QString() : tr("Nothing runs that could be stopped."));
   more_->setVisible(now && now->termination == Termination::MaxViews);
+  allow(*turnOver_, stands_.whyNotTurn());
   allow(*end_, controller().permissions().whyNot(Finish{Termination::EndedByOperator}));
   refreshFigures();
   emit changed();
@@ -183,7 +203,9 @@ void AcquirePage::refreshFigures() {
   figures_->clear();
   const SharedState& now = controller().now();
   const std::size_t views = now ? countScans(*now, ScanStatus::In) : 0;
-  figures_->add(tr("Views in the model"), QString::number(views));
+  const QString own = now ? ownModelText(*now) : QString();
+  figures_->add(own.isEmpty() ? tr("Views in the model") : tr("Views in this stand"), QString::number(views), own);
+  if (!own.isEmpty()) addObject(*figures_, *now);
   if (!now || now->scans.empty()) return;
   if (const std::size_t rejected = countScans(*now, ScanStatus::Rejected))
     figures_->add(tr("Scans that did not fit"), QString::number(rejected), tr("kept, but not part of the model"));

@@ -10,13 +10,14 @@ namespace vantage {
 
 class FigureTable;
 class NextViewBox;
+class StandDesk;
 
 /// Scanning: automatic, or assisted, where the operator turns the table.
 class AcquirePage final : public WizardPage {
   Q_OBJECT
 
  public:
-  explicit AcquirePage(SessionController& controller, QWidget* parent = nullptr);
+  AcquirePage(SessionController& controller, StandDesk& stands, QWidget* parent = nullptr);
 
   [[nodiscard]] QString key() const override { return QStringLiteral("acquire"); }
   [[nodiscard]] QString title() const override { return tr("Acquire"); }
@@ -49,6 +50,8 @@ class AcquirePage final : public WizardPage {
   QPushButton* scan_;
   QPushButton* more_;
   QPushButton* end_;
+  QPushButton* turnOver_;
+  StandDesk& stands_;
 };
 
 }  // namespace vantage

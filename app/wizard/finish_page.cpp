@@ -4,15 +4,21 @@
 #include <QFileDialog>
 #include <QVBoxLayout>
 
+#include "acquisition/stand_composites.h"
 #include "form_parts.h"
 #include "integration/colouring.h"
+#include "stand_text.h"
 
 namespace vantage {
 
 FinishPage::FinishPage(SessionController& controller, QWidget* parent)
-    : WizardPage(controller, parent), place_(makeLabel({}, "muted")), written_(makeLabel({})) {
+    : WizardPage(controller, parent),
+      place_(makeLabel({}, "muted")),
+      missing_(makeLabel({}, "warning")),
+      written_(makeLabel({})) {
   addSection(tr("Export the model"));
   column().addWidget(place_);
+  column().addWidget(missing_);
   const auto exportTo = [this](const QString& file) {
     return [this, file] { this->controller().exportModel(inFolder(file)); };
   };
@@ -83,7 +89,10 @@ void FinishPage::refresh() {
   const QString whyNot = controller().permissions().whyNotExport();
   for (QPushButton* button : exports_) allow(*button, whyNot);
   const SharedState& now = controller().now();
-  const bool coloured = now && haveColours(viewsOf(*now));
+  const bool coloured = now && haveColours(viewsOf(withObject(*now)));
+  const QString missing = now ? missingStandsText(*now) : QString();
+  missing_->setText(missing);
+  missing_->setVisible(!missing.isEmpty());
   place_->setText(
       tr("Into %1").arg(QDir::toNativeSeparators(inFolder({}))) +
       (coloured ? QStringLiteral("\n") + tr("The scans have colours: PLY and OBJ keep them, STL cannot.") : QString()));

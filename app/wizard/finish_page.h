@@ -32,6 +32,7 @@ class FinishPage final : public WizardPage {
   void refresh();
 
   QLabel* place_;
+  QLabel* missing_;
   QLabel* written_;
   QList<QPushButton*> exports_;
 };

@@ -11,7 +11,9 @@
 #include "report/edges_left.h"
 #include "report/reading_words.h"
 #include "report/wording.h"
+#include "stand_text.h"
 #include "why_card.h"
+#include "wizard/object_figures.h"
 #include "wizard/other_turn_box.h"
 #include "wording.h"
 
@@ -30,7 +32,7 @@ QString statusText(const KeptScan& scan) {
     case ScanStatus::Waiting:
       return ReviewPage::tr("waits");
     case ScanStatus::Aside:
-      return ReviewPage::tr("of another stand");
+      return ReviewPage::tr("stand %1").arg(scan.station().stand);
     case ScanStatus::In:
       break;
   }
@@ -49,12 +51,17 @@ QString readingText(const AcquisitionState& state) {
 ReviewPage::ReviewPage(SessionController& controller, QWidget* parent)
     : WizardPage(controller, parent),
       reason_(makeLabel({}, "section")),
+      stands_(makeLabel({})),
       figures_(new FigureTable),
       left_(new FigureTable),
       views_(new QTableWidget(0, 5)),
       toggle_(makeButton(tr("&Leave this view out"), QStringLiteral("leaveOut"),
-                         tr("Make the model without this view, or take it back. The scan is kept."))) {
+                         tr("Make the model without this view, or take it back. The scan is kept."))),
+      turnOver_(makeButton(tr("&Turn the object over…"), QStringLiteral("turnOver"),
+                           tr("Put the object on another side, to scan what this stand hides."))) {
   column().addWidget(reason_);
+  column().addWidget(stands_);
+  stands_->setObjectName(QStringLiteral("stands"));
   column().addWidget(new OtherTurnBox(controller));
   column().addWidget(figures_);
   addSection(tr("What is left, and why"));
@@ -71,6 +78,8 @@ ReviewPage::ReviewPage(SessionController& controller, QWidget* parent)
   views_->setMinimumHeight(150);
   column().addWidget(views_, 1);
   column().addWidget(toggle_);
+  column().addWidget(turnOver_);
+  connect(turnOver_, &QPushButton::clicked, this, [this] { emit wanted(QStringLiteral("turn_over")); });
   connect(toggle_, &QPushButton::clicked, this, &ReviewPage::toggle);
   connect(views_, &QTableWidget::itemSelectionChanged, this, [this] {
     const auto* item = views_->item(views_->currentRow(), 0);
@@ -83,12 +92,15 @@ ReviewPage::ReviewPage(SessionController& controller, QWidget* parent)
     toggle_->setText(leftOut ? tr("&Take this view back") : tr("&Leave this view out"));
   });
   connect(&controller, &SessionController::stateChanged, this, &ReviewPage::refresh);
-  connect(&controller, &SessionController::activityChanged, this, [this] { emit changed(); });
+  connect(&controller, &SessionController::activityChanged, this, [this] {
+    refreshTurnOver();
+    emit changed();
+  });
   refresh();
 }
 
 bool ReviewPage::complete() const {
-  return controller().idle() && controller().now() && controller().now()->model;
+  return controller().idle() && hasAnyModel(controller().now());
 }
 
 void ReviewPage::entered() {
@@ -110,18 +122,32 @@ void ReviewPage::refresh() {
   left_->clear();
   views_->setRowCount(0);
   allow(*toggle_, tr("Choose a scan in the list first."));
+  refreshTurnOver();
   const SharedState& now = controller().now();
-  if (!now || !now->model) {
+  stands_->setText(now ? standsText(*now) : QString());
+  stands_->setVisible(!stands_->text().isEmpty());
+  if (!hasAnyModel(now)) {
     reason_->setText(tr("Nothing has been scanned yet."));
     return;
   }
+  const QString own = ownModelText(*now);
   reason_->setText(endingText(*now) + readingText(*now));
-  figures_->add(tr("Views"), QString::number(countScans(*now, ScanStatus::In)));
-  figures_->add(tr("Surface"), areaText(area(now->model->mesh)));
-  figures_->add(tr("Triangles"), QString::number(now->model->mesh.triangles.size()));
+  figures_->add(own.isEmpty() ? tr("Views") : tr("Views in this stand"),
+                QString::number(countScans(*now, ScanStatus::In)), own);
+  if (now->model) {
+    figures_->add(tr("Surface"), areaText(area(now->model->mesh)));
+    figures_->add(tr("Triangles"), QString::number(now->model->mesh.triangles.size()));
+  }
+  if (!own.isEmpty()) addObject(*figures_, *now);
   refreshLeft(*now);
   refreshViews(*now);
   emit changed();
+}
+
+void ReviewPage::refreshTurnOver() {
+  QString why = controller().permissions().whyNot(TurnObject{});
+  if (why.isEmpty()) why = controller().permissions().whyNoDevices();
+  allow(*turnOver_, why);
 }
 
 void ReviewPage::refreshLeft(const AcquisitionState& state) {
@@ -129,6 +155,7 @@ void ReviewPage::refreshLeft(const AcquisitionState& state) {
   if (!plan && state.termination == Termination::Imported)
     left_->add(tr("Not known: nothing is planned from recorded scans."), {});
   if (!plan || !plan->voids) return;
+  if (!ownModelText(state).isEmpty()) left_->add(tr("Of this stand alone:"), {});
   for (const EdgesLeft& left : edgesLeft(*plan))
     left_->add(edgeReasonText(left.reason, plan->outcome), tr("%1 mm of edge").arg(figureText(left.length)));
   if (plan->voids->patches.empty()) left_->add(tr("Nothing: the surface is closed."), {});
@@ -145,7 +172,8 @@ void ReviewPage::addScan(const KeptScan& scan) {
   const QString texts[] = {QString::number(scan.number), position ? QString::number(*position) : tr("none"),
                            in && areasKnown(scan.record) ? figureText(scan.record.newArea) : QString(),
                            in || leftOut ? figureText(registration.rms, 3) : QString(), statusText(scan)};
-  QString tip = translated(phraseOf(registration.finding));
+  QString tip = scan.station().stand > 0 ? tr("Stand %1: ").arg(scan.station().stand) : QString();
+  tip += translated(phraseOf(registration.finding));
   if (scan.record.reading) tip += QStringLiteral("\n") + translated(phraseOf(*scan.record.reading));
   for (int column = 0; column < 5; ++column) {
     auto* item = new QTableWidgetItem(texts[column]);

@@ -26,16 +26,19 @@ class ReviewPage final : public WizardPage {
 
  private:
   void refresh();
+  void refreshTurnOver();
   void refreshLeft(const AcquisitionState& state);
   void refreshViews(const AcquisitionState& state);
   void addScan(const KeptScan& scan);
   void toggle();
 
   QLabel* reason_;
+  QLabel* stands_;
   FigureTable* figures_;
   FigureTable* left_;
   QTableWidget* views_;
   QPushButton* toggle_;
+  QPushButton* turnOver_;
 };
 
 }  // namespace vantage

@@ -11,11 +11,13 @@
 
 namespace vantage {
 
-Wizard::Wizard(SessionController& controller, const QString& resources, QWidget* parent)
+Wizard::Wizard(SessionController& controller, StandDesk& stands, const SurfaceMaker& surfaces, const QString& resources,
+               QWidget* parent)
     : QWidget(parent),
       controller_(controller),
       choose_(new ChoosePage(controller, resources)),
-      acquire_(new AcquirePage(controller)),
+      acquire_(new AcquirePage(controller, stands)),
+      turnOver_(new TurnOverPage(controller, stands, surfaces)),
       finish_(new FinishPage(controller)),
       where_(makeLabel({}, "muted")),
       title_(makeLabel({}, "title")),
@@ -28,12 +30,17 @@ Wizard::Wizard(SessionController& controller, const QString& resources, QWidget*
   addPage(new CheckPage(controller));
   addPage(new CalibratePage(controller));
   addPage(acquire_);
+  addPage(turnOver_);
   addPage(new ReviewPage(controller));
   addPage(finish_);
   connect(back_, &QPushButton::clicked, this, &Wizard::goBack);
   connect(next_, &QPushButton::clicked, this, &Wizard::goOn);
   connect(&controller, &SessionController::sessionChanged, this, &Wizard::reopen);
   refresh();
+}
+
+void Wizard::setTheme(const Theme& theme) {
+  turnOver_->setTheme(theme);
 }
 
 void Wizard::build() {
@@ -71,6 +78,9 @@ void Wizard::addPage(WizardPage* page) {
   stack_->addWidget(scroll);
   pages_.push_back(page);
   connect(page, &WizardPage::changed, this, &Wizard::refresh);
+  connect(page, &WizardPage::wanted, this, [this, page](const QString& key) {
+    if (pages_[static_cast<std::size_t>(index_)] == page) goTo(key);
+  });
   connect(page, &WizardPage::finished, this, [this, page] {
     if (pages_[static_cast<std::size_t>(index_)] == page)
       if (const auto next = pageFrom(index_, 1)) goTo(*next);
@@ -124,7 +134,9 @@ void Wizard::refresh() {
   const auto here = pages_.begin() + index_;
   const auto before = std::count_if(pages_.begin(), here, applying);
   const auto after = std::count_if(here + 1, pages_.end(), applying);
-  where_->setText(tr("Step %1 of %2").arg(before + 1).arg(before + 1 + after));
+  where_->setText(page().applies()
+                      ? tr("Step %1 of %2").arg(before + 1).arg(before + 1 + after)
+                      : tr("Between step %1 and step %2 of %3").arg(before).arg(before + 1).arg(before + after));
   title_->setText(page().title());
   whatNext_->setText(page().whatNext());
   allow(*back_, index_ > 0 ? QString() : tr("This is the first page."));

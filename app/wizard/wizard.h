@@ -10,6 +10,7 @@
 #include "wizard/choose_page.h"
 #include "wizard/finish_page.h"
 #include "wizard/review_page.h"
+#include "wizard/turn_over_page.h"
 
 class QStackedWidget;
 class QScrollArea;
@@ -22,7 +23,10 @@ class Wizard final : public QWidget {
   Q_OBJECT
 
  public:
-  Wizard(SessionController& controller, const QString& resources, QWidget* parent = nullptr);
+  Wizard(SessionController& controller, StandDesk& stands, const SurfaceMaker& surfaces, const QString& resources,
+         QWidget* parent = nullptr);
+
+  void setTheme(const Theme& theme);
 
   void goTo(int index);
   void goTo(const QString& key);
@@ -49,6 +53,7 @@ class Wizard final : public QWidget {
   SessionController& controller_;
   ChoosePage* choose_;
   AcquirePage* acquire_;
+  TurnOverPage* turnOver_;
   FinishPage* finish_;
   std::vector<WizardPage*> pages_;
   int index_ = 0;

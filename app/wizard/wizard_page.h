@@ -28,8 +28,9 @@ class WizardPage : public QWidget {
   virtual void leaving() {}  ///< one goes on from here
 
  signals:
-  void changed();   ///< title, texts or completeness
-  void finished();  ///< go on without being asked
+  void changed();                   ///< title, texts or completeness
+  void finished();                  ///< go on without being asked
+  void wanted(const QString& key);  ///< go to that page
 
  protected:
   [[nodiscard]] SessionController& controller() const { return controller_; }

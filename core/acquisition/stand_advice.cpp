@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "acquisition/stand_composites.h"
 #include "acquisition/steps.h"
@@ -18,26 +19,38 @@ constexpr std::size_t kMostPositions = 24;
 // Sides whose directions are nearer to each other are one.
 constexpr double kSameSide = radians(20.0);
 
-// What the workspace shows of the void while the object stands so, and of how much there is in all [mm^2].
-struct Shown {
-  double area = 0.0;
-  double all = 0.0;
+// Patches of the void that are looked at, each with what it stands for.
+class Patches {
+ public:
+  explicit Patches(const PlanningScene& scene) : all_(scene.patches()), every_(1 + all_.size() / kMostPatches) {}
+
+  [[nodiscard]] std::size_t count() const { return (all_.size() + every_ - 1) / every_; }
+  [[nodiscard]] std::size_t index(std::size_t i) const { return i * every_; }
+  [[nodiscard]] const VoidPatch& patch(std::size_t i) const { return all_[index(i)]; }
+  [[nodiscard]] double area(std::size_t i) const { return patch(i).weight * static_cast<double>(every_); }
+  [[nodiscard]] double area(const std::vector<char>& which) const {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < which.size(); ++i)
+      if (which[i] != 0) sum += area(i);
+    return sum;
+  }
+
+ private:
+  std::span<const VoidPatch> all_;
+  std::size_t every_;
 };
 
-Shown shownIn(const PlanningScene& scene, const Pose& T_object_table) {
-  const std::span<const VoidPatch> patches = scene.patches();
+// Whether the workspace shows a patch while the object stands so, for every one.
+std::vector<char> shownIn(const PlanningScene& scene, const Patches& patches, const Pose& T_object_table) {
   const std::vector<Pose>& poses = scene.profile().workspace.poses;
-  const std::size_t everyPatch = 1 + patches.size() / kMostPatches;
   const std::size_t everyPose = 1 + poses.size() / kMostPositions;
-  Shown shown;
-  for (std::size_t i = 0; i < patches.size(); i += everyPatch) {
-    const double weight = patches[i].weight * static_cast<double>(everyPatch);
-    shown.all += weight;
-    for (std::size_t p = 0; p < poses.size(); p += everyPose) {
-      const Sight sight = scene.sight().look(T_object_table * poses[p], patches[i].centre, patches[i].normal);
-      if (sight.visibility != Visibility::Seen || !scene.history().attracts(i, sight.cosine)) continue;
-      shown.area += weight;
-      break;
+  std::vector<char> shown(patches.count(), 0);
+  for (std::size_t i = 0; i < patches.count(); ++i) {
+    for (std::size_t p = 0; p < poses.size() && shown[i] == 0; p += everyPose) {
+      const VoidPatch& patch = patches.patch(i);
+      const Sight sight = scene.sight().look(T_object_table * poses[p], patch.centre, patch.normal);
+      if (sight.visibility == Visibility::Seen && scene.history().attracts(patches.index(i), sight.cosine))
+        shown[i] = 1;
     }
   }
   return shown;
@@ -63,7 +76,7 @@ std::vector<RestingFace> facesOf(const Mesh& mesh) {
 
 }  // namespace
 
-std::vector<StandAdvice> adviseStands(const AcquisitionState& state, const Progress& progress) {
+StandOutlook lookAtStands(const AcquisitionState& state, const Progress& progress) {
   const AcquisitionState object = withObject(state);
   if (!object.model || !object.profile) return {};
   const std::vector<RestingFace> faces = facesOf(object.model->mesh);
@@ -71,23 +84,35 @@ std::vector<StandAdvice> adviseStands(const AcquisitionState& state, const Progr
   PlanInput input = planInputOf(object);
   input.T_object_table = Pose::Identity();
   const PlanningScene scene(input, stepOptionsFor(object).planner, progress.part(0.0, 0.5));
+  const Patches patches(scene);
   const std::vector<Vec3> before = sidesBefore(state);
-  std::vector<StandAdvice> advice(faces.size());
+  StandOutlook outlook;
+  outlook.left = patches.area(std::vector<char>(patches.count(), 1));
+  outlook.sides.resize(faces.size());
+  std::vector<std::vector<char>> shown(faces.size());
   parallelChunks(faces.size(), 1, progress.part(0.5, 1.0), [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const Pose T_object_table = restingPose(faces[i]).inverse();
-      const Shown shown = shownIn(scene, T_object_table);
+      shown[i] = shownIn(scene, patches, T_object_table);
+      const double gain = patches.area(shown[i]);
       const bool isNew = std::none_of(before.begin(), before.end(), [&](const Vec3& side) {
         return side.dot(faces[i].normal) > std::cos(kSameSide);
       });
-      advice[i] = {faces[i].normal, T_object_table, shown.area, shown.all > 0.0 ? shown.area / shown.all : 0.0,
-                   faces[i].margin, isNew};
+      outlook.sides[i] = {faces[i].normal, T_object_table, gain, outlook.left > 0.0 ? gain / outlook.left : 0.0,
+                          faces[i].margin, isNew};
     }
   });
-  std::stable_sort(advice.begin(), advice.end(), [](const StandAdvice& a, const StandAdvice& b) {
+  for (std::size_t i = 0; i < patches.count(); ++i)
+    if (std::none_of(shown.begin(), shown.end(), [i](const auto& side) { return side[i] != 0; }))
+      outlook.hidden += patches.area(i);
+  std::stable_sort(outlook.sides.begin(), outlook.sides.end(), [](const StandAdvice& a, const StandAdvice& b) {
     return a.isNew != b.isNew ? a.isNew : a.gain > b.gain;
   });
-  return advice;
+  return outlook;
+}
+
+std::vector<StandAdvice> adviseStands(const AcquisitionState& state, const Progress& progress) {
+  return lookAtStands(state, progress).sides;
 }
 
 }  // namespace vantage

@@ -24,14 +24,6 @@ bool isKnown(const AcquisitionState& state, int stand) {
   return compositeOf(state, stand) == kObjectComposite;
 }
 
-// F of the last plan that was made of the object or of a composite of it [mm^2].
-double leastGain(const AcquisitionState& state) {
-  if (state.plan) return state.plan->terminationThreshold;
-  for (auto scan = state.scans.rbegin(); scan != state.scans.rend(); ++scan)
-    if (scan->record.planAfter) return scan->record.planAfter->terminationThreshold;
-  return 0.0;
-}
-
 // The area of the object that no stand before this one had shown [mm^2]. Views come into a model in their order, and
 // every triangle is of the first view that shows it.
 double addedBy(const AcquisitionState& object, int stand) {
@@ -66,6 +58,13 @@ std::optional<int> anyPoseOf(const AcquisitionState& state, int stand) {
 
 }  // namespace
 
+double leastGain(const AcquisitionState& state) {
+  if (state.plan) return state.plan->terminationThreshold;
+  for (auto scan = state.scans.rbegin(); scan != state.scans.rend(); ++scan)
+    if (scan->record.planAfter) return scan->record.planAfter->terminationThreshold;
+  return 0.0;
+}
+
 StandCourse parseStandCourse(const std::string& text) {
   if (text == "auto") return {};
   int stands = 0;
@@ -82,6 +81,12 @@ std::string name(const StandCourse& course) {
 bool mayFindItsPlace(const AcquisitionState& state) {
   if (isKnown(state, state.stand())) return false;
   return countScans(state, ScanStatus::In) >= kLeastViews && state.scans.back().status == ScanStatus::In;
+}
+
+bool hasUntriedStand(const AcquisitionState& state) {
+  const std::vector<int> open = standsToAlign(state);
+  return std::any_of(open.begin(), open.end(),
+                     [&](int stand) { return state.stands[static_cast<std::size_t>(stand)].alignment == nullptr; });
 }
 
 bool alignStands(Acquisition& acquisition, bool keepFailures, const Progress& progress) {
@@ -107,6 +112,14 @@ bool alignStands(Acquisition& acquisition, bool keepFailures, const Progress& pr
     failed.clear();
   }
   return isKnown(*acquisition.state(), now);
+}
+
+bool findPlaces(Acquisition& acquisition, const Progress& progress) {
+  const auto state = acquisition.state();
+  const bool ended = state->termination != Termination::Running;
+  if (ended ? !hasUntriedStand(*state) : !mayFindItsPlace(*state)) return false;
+  static_cast<void>(alignStands(acquisition, ended, progress));
+  return true;
 }
 
 std::optional<StandAdvice> nextStand(const AcquisitionState& state, const StandCourse& course,

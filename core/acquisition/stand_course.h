@@ -26,6 +26,16 @@ struct StandCourse {
 /// @return whether the stand of now became known
 bool alignStands(Acquisition& acquisition, bool keepFailures, const Progress& progress = {});
 
+/// Whether what would come of an alignment is not known of some stand.
+[[nodiscard]] bool hasUntriedStand(const AcquisitionState& state);
+
+/// Aligns stands wherever that is worth a try: after a scan of a stand that is not known yet, and once when it has
+/// ended; only then failures are recorded. @return whether anything was tried
+bool findPlaces(Acquisition& acquisition, const Progress& progress = {});
+
+/// What another stand has to show at least to be worth it: F of the last plan of the object or of a composite [mm^2].
+[[nodiscard]] double leastGain(const AcquisitionState& state);
+
 /// The side that the object is to be put on once the stand of now has ended; nothing when there are stands enough.
 [[nodiscard]] std::optional<StandAdvice> nextStand(const AcquisitionState& state, const StandCourse& course,
                                                    const Progress& progress = {});

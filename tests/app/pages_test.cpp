@@ -128,6 +128,9 @@ TEST_P(Pages, NothingIsBlankClippedOrNameless) {
   ASSERT_EQ(countScans(*desk.controller().now(), ScanStatus::In), 2U);
   ASSERT_EQ(desk.window().wizard().page().key().toStdString(), "review");
   check(desk, "4_review");
+  desk.window().wizard().goTo(QStringLiteral("turn_over"));
+  check(desk, "4_turn_over");
+  desk.window().wizard().goTo(QStringLiteral("review"));
   desk.controller().showMoment(1);
   check(desk, "4_earlier");
   desk.controller().showNow();

@@ -93,6 +93,16 @@ TEST(WhyCard, SaysWhenNothingElseIsAllowed) {
   EXPECT_EQ(makeWhyCard({explain(*plan, 1), plan, nullptr, nullptr}).comparison, "No other position is allowed.");
 }
 
+TEST(WhyCard, SaysWhenTheModelIsThatOfAStandAlone) {
+  const auto plan = makePlan();
+  const auto verdict = [&](int composite) {
+    return makeWhyCard({explain(*plan, 1), plan, nullptr, nullptr, PositionRole::None, true, composite}).verdict;
+  };
+  EXPECT_FALSE(verdict(0).contains("stand"));
+  EXPECT_TRUE(
+      verdict(2).endsWith("The model here is that of stand 2 alone, which is not put together with the object yet."));
+}
+
 TEST(WhyCard, SpeaksOfTheOperatorsChoiceAndWhatThePlanSaysOfIt) {
   const WhyCard card = cardOf(0, PositionRole::OperatorsChoice);
   EXPECT_TRUE(card.verdict.startsWith("Your choice: the next scan is taken from here. Rejected:"));

@@ -4,11 +4,13 @@
 
 #include <QFile>
 #include <QLineEdit>
+#include <QListWidget>
 #include <QProcess>
 #include <QTemporaryDir>
 #include <QTest>
 
 #include "app/operator.h"
+#include "geometry/measures.h"
 
 namespace vantage {
 namespace {
@@ -96,6 +98,30 @@ TEST(Wizard, StopIsAnsweredAtOnceWhateverIsBeingComputed) {
     EXPECT_LE(watch.milliseconds(), kLongestCancel) << "stopped after " << moment << " ms";
     if (me.controller().now() && me.controller().now()->termination != Termination::Running) break;
   }
+}
+
+// Drawn and computed beside the window, as in the program.
+TEST(Wizard, TurnsTheObjectOverAndPutsBothStandsTogether) {
+  QTemporaryDir folder;
+  testing::Operator me(folder.filePath("window"), 5);
+  me.click("next");
+  me.click("next");
+  me.click("run");
+  ASSERT_TRUE(me.waitForPage("review"));
+  ASSERT_TRUE(me.waitUntilIdle());
+  const double before = area(me.controller().now()->model->mesh);
+  me.click("turnOver");
+  ASSERT_TRUE(me.waitForPage("turn_over"));
+  auto* sides = me.window().findChild<QListWidget*>("sides");
+  ASSERT_TRUE(waitFor([&] { return sides->count() > 0 && !sides->item(sides->count() - 1)->icon().isNull(); }));
+  me.click("turned");
+  ASSERT_TRUE(me.waitForPage("acquire"));
+  ASSERT_TRUE(me.waitUntilIdle());
+  ASSERT_EQ(me.controller().now()->stand(), 1);
+  me.click("run");
+  ASSERT_TRUE(me.waitForPage("review"));
+  EXPECT_TRUE(me.controller().now()->stands[1].T_object_table);
+  EXPECT_GT(area(me.controller().now()->model->mesh), before);
 }
 
 TEST(Wizard, GoingBackLosesNothing) {

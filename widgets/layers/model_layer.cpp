@@ -1,6 +1,7 @@
 #include "layers/model_layer.h"
 
 #include <vtkActor.h>
+#include <vtkMatrix4x4.h>
 #include <vtkPolyData.h>
 #include <vtkProperty.h>
 
@@ -43,6 +44,15 @@ void ModelLayer::set(std::shared_ptr<const ModelGeometry> geometry, ModelColouri
     setData(*boundary_, shown ? shown->boundary.Get() : nullptr);
   });
   update();
+}
+
+void ModelLayer::setPose(const Pose& T_scene_model) {
+  auto matrix = vtkSmartPointer<vtkMatrix4x4>::New();
+  for (int row = 0; row < 4; ++row)
+    for (int column = 0; column < 4; ++column) matrix->SetElement(row, column, T_scene_model.matrix()(row, column));
+  scene_.change([this, matrix] {
+    for (vtkActor* actor : {surface_.Get(), coarse_.Get(), boundary_.Get()}) actor->SetUserMatrix(matrix);
+  });
 }
 
 void ModelLayer::setVisible(bool surface, bool boundary) {

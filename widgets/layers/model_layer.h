@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include "geometry/vectors.h"
 #include "layers/model_geometry.h"
 #include "vtk/scene.h"
 
@@ -15,6 +16,8 @@ class ModelLayer {
   /// @param geometry null for no model
   /// @param views taken so far, for colours by age
   void set(std::shared_ptr<const ModelGeometry> geometry, ModelColouring colouring, std::size_t views);
+  /// Where the model is drawn, from its own coordinates to those of the scene.
+  void setPose(const Pose& T_scene_model);
   void setVisible(bool surface, bool boundary);
   void setMoving(bool moving);
   void setTheme(const Theme& theme);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "acquisition/stand_composites.h"
 #include "scanner/table_turn.h"
 
 namespace vantage {
@@ -99,6 +100,13 @@ std::optional<KeyLegend> coloursLegend(const VertexColours& colours) {
 QString voidPatchesText(std::size_t count) {
   return count == 1 ? Text::tr("1 void patch")
                     : Text::tr("%1 void patches").arg(shortNumber(static_cast<double>(count)));
+}
+
+QString titleOf(std::size_t views, int composite) {
+  if (composite != kObjectComposite)
+    return views == 1 ? Text::tr("Stand %1 alone after 1 view").arg(composite)
+                      : Text::tr("Stand %1 alone after %2 views").arg(composite).arg(views);
+  return views == 1 ? Text::tr("Model after 1 view") : Text::tr("Model after %1 views").arg(views);
 }
 
 double areaOf(const VoidSurface& voids) {
@@ -204,12 +212,15 @@ Overlay ModelScene::overlay() const {
   if (!snapshot_ || !snapshot_->state) return overlay;
   const auto& state = *snapshot_->state;
   const std::vector<View>& views = snapshot_->views;
+  const int composite = compositeInWork(state);
   if (views.empty()) {
-    overlay.notes << Text::tr("No view taken yet");
+    overlay.notes << (composite == kObjectComposite ? Text::tr("No view taken yet")
+                                                    : Text::tr("No view of stand %1 taken yet").arg(composite));
+    if (!state.aside.empty()) overlay.notes << Text::tr("The object is set aside meanwhile");
     return overlay;
   }
-  overlay.notes << (views.size() == 1 ? Text::tr("Model after 1 view")
-                                      : Text::tr("Model after %1 views").arg(views.size()));
+  overlay.notes << titleOf(views.size(), composite);
+  if (composite != kObjectComposite) overlay.notes << Text::tr("Not put together with the object yet");
   if (state.model)
     overlay.notes << Text::tr("%1 triangles").arg(shortNumber(static_cast<double>(state.model->mesh.triangles.size())));
   if (snapshot_->plan && snapshot_->plan->voids)

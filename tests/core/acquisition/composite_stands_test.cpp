@@ -217,6 +217,33 @@ TEST_F(CompositeStands, AreKeptInTheSessionFile) {
   for (std::size_t i = 0; i < hashes.size(); ++i) EXPECT_EQ(stateHash(*again.state(i)), hashes[i]) << i;
 }
 
+TEST_F(CompositeStands, ThatFindNoPlaceAreRecordedWhenTheyHaveEnded) {
+  MemoryJournal journal(profile_, fewViews());
+  acquire(journal, 3);
+  Acquisition acquisition(journal, tools(1, knowing(AlignmentVerdict::Failed, false)));
+  EXPECT_TRUE(hasUntriedStand(*journal.state()));
+  EXPECT_TRUE(findPlaces(acquisition));
+  EXPECT_EQ(journal.state()->stands[1].alignment, nullptr);
+  acquisition.carryOut(Finish{Termination::EndedByOperator});
+  EXPECT_TRUE(findPlaces(acquisition));
+  EXPECT_NE(journal.state()->stands[1].alignment, nullptr);
+  EXPECT_FALSE(hasUntriedStand(*journal.state()));
+  EXPECT_FALSE(findPlaces(acquisition)) << "it was tried";
+}
+
+TEST_F(CompositeStands, HideWhatNoSideShows) {
+  MemoryJournal journal(profile_, fewViews());
+  acquire(journal, 0);
+  const StandOutlook outlook = lookAtStands(*journal.state());
+  ASSERT_FALSE(outlook.sides.empty());
+  EXPECT_GT(outlook.left, 0.0);
+  EXPECT_GE(outlook.hidden, 0.0);
+  for (const StandAdvice& side : outlook.sides) {
+    EXPECT_LE(side.gain, (outlook.left - outlook.hidden) * (1.0 + 1e-9));
+    EXPECT_NEAR(side.share, side.gain / outlook.left, 1e-12);
+  }
+}
+
 TEST(StandCourse, IsANumberOrGoesByItself) {
   EXPECT_FALSE(parseStandCourse("auto").stands);
   EXPECT_EQ(parseStandCourse("3").stands, 3);
