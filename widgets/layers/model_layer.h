@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
 #include "layers/model_geometry.h"
 #include "vtk/scene.h"
@@ -13,8 +14,8 @@ class ModelLayer {
   explicit ModelLayer(Scene& scene);
 
   /// @param geometry null for no model
-  /// @param views taken so far, for colours by age
-  void set(std::shared_ptr<const ModelGeometry> geometry, ModelColouring colouring, std::size_t views);
+  /// @param stands of the model's views, one for each, for colours by age and stand
+  void set(std::shared_ptr<const ModelGeometry> geometry, ModelColouring colouring, std::vector<int> stands);
   void setVisible(bool surface, bool boundary);
   void setMoving(bool moving);
   void setTheme(const Theme& theme);
@@ -28,7 +29,7 @@ class ModelLayer {
   vtkSmartPointer<vtkActor> coarse_;
   vtkSmartPointer<vtkActor> boundary_;
   ModelColouring colouring_ = ModelColouring::Plain;
-  std::size_t views_ = 0;
+  std::vector<int> stands_;
   bool surfaceVisible_ = true;
   bool boundaryVisible_ = true;
   bool moving_ = false;
