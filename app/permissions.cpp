@@ -1,6 +1,7 @@
 #include "permissions.h"
 
 #include "acquisition/may_do.h"
+#include "acquisition/stand_composites.h"
 #include "devices/real_rig.h"
 #include "refusal_text.h"
 
@@ -87,6 +88,12 @@ QString Permissions::whyNotExport() const {
 QString Permissions::whyNotAddScans() const {
   if (!at_.sessionOpen || !at_.now) return tr("There is no session yet: it begins with the first scan.");
   return busyOr(unless(at_.now->profile != nullptr, RefusalReason::NoProfile));
+}
+
+QString Permissions::whyNotCompareStands() const {
+  if (at_.busy) return tr("Something else is under way.");
+  if (!at_.now || at_.now->stands.size() < 2) return tr("The object has stood in one stand only.");
+  return standsToAlign(*at_.now).empty() ? tr("All stands that have views are in place.") : QString();
 }
 
 QString Permissions::whyNotOpen() const {

@@ -116,6 +116,8 @@ class SessionController final : public QObject {
   [[nodiscard]] const SharedState& now() const { return present_.state(); }
   /// How to turn the table from where it stands; nothing without turntable or position.
   [[nodiscard]] std::optional<TurnAdvice> turnTo(int position) const;
+  /// A command that needs no scan: carried out beside the window, as a step of the session.
+  void change(const Command& command);
   void undo();
   void redo();
 
@@ -158,7 +160,6 @@ class SessionController final : public QObject {
   void scanInBackground(bool untilTheEnd);
   /// Whether there is nothing to say against; what there is, is said.
   bool allowed(const QString& whyNot);
-  void change(const Command& command);
   /// What must not be written over.
   [[nodiscard]] std::vector<std::string> filesInUse() const;
   void move(bool backward);
