@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "scenes/composite_scene.h"
+#include "scenes/model_scene.h"
 #include "scenes/ray_picture.h"
 
 namespace vantage {

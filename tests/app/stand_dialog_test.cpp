@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <QApplication>
 #include <QDir>
 #include <QLabel>
 #include <QListWidget>
@@ -13,11 +14,11 @@
 
 #include "acquisition/stand_composites.h"
 #include "app/turned_session.h"
-#include "main_window.h"
 #include "report/warnings.h"
 #include "report_pictures.h"
 #include "screenshots/painted_text.h"
 #include "screenshots/screenshot.h"
+#include "session_controller.h"
 #include "stands/picked_points.h"
 #include "stands/point_picker.h"
 #include "stands/pose_chooser.h"
@@ -25,6 +26,7 @@
 #include "stands/stand_inspector.h"
 #include "support/meshes.h"
 #include "views/composite_view.h"
+#include "window_theme.h"
 
 namespace vantage {
 namespace {
@@ -61,25 +63,21 @@ class Sessions : public ::testing::Environment {
 
 class StandDialogTest : public ::testing::Test {
  protected:
-  // The window with a copy of a session, and the dialog on it.
+  // The dialog on a copy of a session.
   void open(const Turned& turned, const QSize& size = {1000, 660}, bool dark = false) {
     truth_ = turned.T_table_object.inverse();
     const QString copy = folder_.filePath("session.vantage");
     ASSERT_TRUE(QFile::copy(turned.path, copy));
-    Preferences preferences;
-    preferences.theme = dark ? 1 : 0;
-    window_ = std::make_unique<MainWindow>(
-        WindowParts{controller_, jobs_, testing::testSurfaces(), QStringLiteral(VANTAGE_RESOURCES)}, preferences);
-    window_->resize(1024, 768);
-    window_->show();
     QObject::connect(&controller_, &SessionController::failed,
                      [](const QString& what) { ADD_FAILURE() << what.toStdString(); });
     controller_.open(copy);
     ASSERT_TRUE(controller_.now());
-    window_->compareStands();
-    dialog_ = window_->findChild<StandDialog*>();
-    ASSERT_NE(dialog_, nullptr);
+    ASSERT_EQ(controller_.permissions().whyNotCompareStands(), "");
+    const Theme& theme = dark ? darkTheme() : lightTheme();
+    applyTheme(*qApp, theme);
+    dialog_ = std::make_unique<StandDialog>(controller_, jobs_, StandLook{testing::testSurfaces(), theme}, 1);
     dialog_->resize(size);
+    dialog_->show();
     settle();
     ASSERT_NE(dialog_->inspector().stand().comparison, nullptr) << complaint().toStdString();
   }
@@ -170,8 +168,7 @@ class StandDialogTest : public ::testing::Test {
   QTemporaryDir folder_;
   SynchronousJobRunner jobs_;
   SessionController controller_{jobs_, ""};
-  std::unique_ptr<MainWindow> window_;
-  StandDialog* dialog_ = nullptr;
+  std::unique_ptr<StandDialog> dialog_;
   Pose truth_ = Pose::Identity();
 };
 
@@ -233,7 +230,7 @@ TEST_F(StandDialogTest, APoseThatSomethingSpeaksAgainstIsUsedAllTheSameAndSaidSo
   lookAt("contradicted");
   std::optional<bool> despite;
   QObject::connect(chooser, &PoseChooser::useRequested, [&](int, bool asked) { despite = asked; });
-  QObject::disconnect(chooser, &PoseChooser::useRequested, dialog_, nullptr);
+  QObject::disconnect(chooser, &PoseChooser::useRequested, dialog_.get(), nullptr);
   click("usePose");
   EXPECT_EQ(despite, true);
 }
@@ -282,10 +279,10 @@ TEST_F(StandDialogTest, PointsOnALineAreRefusedBeforeAStepIsBegun) {
 TEST_F(StandDialogTest, EscapeGoesBackFromPickingAndThenCloses) {
   open(Sessions::odd());
   click("pickPoints");
-  QTest::keyClick(dialog_, Qt::Key_Escape);
+  QTest::keyClick(dialog_.get(), Qt::Key_Escape);
   EXPECT_FALSE(dialog_->picker().isVisible());
   EXPECT_TRUE(dialog_->isVisible());
-  QTest::keyClick(dialog_, Qt::Key_Escape);
+  QTest::keyClick(dialog_.get(), Qt::Key_Escape);
   EXPECT_FALSE(dialog_->isVisible());
 }
 
