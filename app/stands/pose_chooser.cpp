@@ -15,10 +15,17 @@ namespace {
 constexpr QSize kIcon(132, 100);
 constexpr int kListWidth = 376;
 
+// Its colours stay as they are when it is chosen.
+QIcon iconOf(const QPixmap& pixmap) {
+  QIcon icon(pixmap);
+  icon.addPixmap(pixmap, QIcon::Selected);
+  return icon;
+}
+
 QIcon emptyIcon(const Theme& theme) {
   QPixmap pixmap(kIcon);
   pixmap.fill(theme.backgroundTop);
-  return {pixmap};
+  return iconOf(pixmap);
 }
 
 }  // namespace
@@ -84,7 +91,7 @@ void PoseChooser::setAlignment(const std::shared_ptr<const StandAlignment>& alig
 void PoseChooser::setLook(int pose, const PoseLook& look) {
   if (pose < 0 || pose >= static_cast<int>(looks_.size())) return;
   looks_[static_cast<std::size_t>(pose)] = look;
-  list_->item(pose)->setIcon(QPixmap::fromImage(look.picture));
+  list_->item(pose)->setIcon(iconOf(QPixmap::fromImage(look.picture)));
   if (current() == pose) showCurrent();
 }
 

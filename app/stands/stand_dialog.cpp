@@ -119,6 +119,7 @@ std::shared_ptr<const StandAlignment> StandDialog::alignment() const {
 void StandDialog::showStand(int stand) {
   stand_ = stand;
   complaint_->hide();
+  poses_->setAlignment(nullptr);
   poses_->showSurfaces({});
   inspector_->load(controller_.now(), stand);
   showPicking(false);

@@ -31,9 +31,14 @@
 namespace vantage {
 namespace {
 
-// Three unequal sides: it lies in itself in four ways.
-Mesh block() {
-  return testing::makeBox(Vec3(-32, -22, 0), Vec3(32, 22, 34), 8);
+// Balls about a ball: it lies in itself in four ways.
+Mesh cross() {
+  Mesh mesh = testing::makeSphere(28, 22, {0, 0, 40});
+  for (const double side : {-1.0, 1.0}) {
+    mesh = testing::joined(mesh, testing::makeSphere(18, 18, {side * 36, 0, 40}));
+    mesh = testing::joined(mesh, testing::makeSphere(12, 16, {0, side * 32, 40}));
+  }
+  return mesh;
 }
 
 // A session made once for all tests.
@@ -45,7 +50,7 @@ struct Turned {
 
 class Sessions : public ::testing::Environment {
  public:
-  static const Turned& block() { return at(0, vantage::block(), 2); }
+  static const Turned& cross() { return at(0, vantage::cross(), 2); }
   static const Turned& odd() { return at(1, testing::smallObject(), 2); }
 
  private:
@@ -172,8 +177,8 @@ class StandDialogTest : public ::testing::Test {
   Pose truth_ = Pose::Identity();
 };
 
-TEST_F(StandDialogTest, OfABlockShowsItsPosesAndUsesTheOneThatIsChosen) {
-  open(Sessions::block());
+TEST_F(StandDialogTest, OfASymmetricObjectShowsItsPosesAndUsesTheOneThatIsChosen) {
+  open(Sessions::cross());
   EXPECT_TRUE(verdict().contains("Stand 1 has not been aligned yet")) << verdict().toStdString();
   lookAt("before");
   const std::size_t steps = controller_.present().moments().size();

@@ -96,19 +96,12 @@ void CompositeLayer::update() {
 }
 
 BoundingBox CompositeLayer::box() const {
-  const BoundingBox& own = geometry_->box;
-  std::optional<BoundingBox> box;
-  for (int corner = 0; corner < 8; ++corner) {
-    Vec3 p = own.min;
-    for (int axis = 0; axis < 3; ++axis)
-      if ((corner >> axis & 1) != 0) p[axis] = own.max[axis];
-    p = T_scene_composite_ * p;
-    if (box)
-      box->extend(p);
-    else
-      box = BoundingBox{p, p};
-  }
-  return *box;
+  const std::vector<Vec3>& vertices = geometry_->model->mesh.vertices;
+  if (vertices.empty()) return geometry_->box;
+  const Vec3 first = T_scene_composite_ * vertices.front();
+  BoundingBox box{first, first};
+  for (const Vec3& v : vertices) box.extend(T_scene_composite_ * v);
+  return box;
 }
 
 std::optional<Vec3> CompositeLayer::meets(const Vec3& origin, const Vec3& direction) const {
