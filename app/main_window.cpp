@@ -12,7 +12,9 @@
 #include <QSettings>
 #include <QShortcut>
 #include <QStatusBar>
+#include <algorithm>
 
+#include "acquisition/stand_composites.h"
 #include "docks/job_panel.h"
 #include "docks/log_panel.h"
 #include "docks/time_line.h"
@@ -20,6 +22,7 @@
 #include "settings/settings_dialog.h"
 #include "stand_desk.h"
 #include "stand_text.h"
+#include "stands/stand_dialog.h"
 #include "window_theme.h"
 #include "wizard/import_dialog.h"
 #include "wizard/next_view_box.h"
@@ -43,6 +46,7 @@ const std::vector kReportSides{CameraPreset::Oblique, CameraPreset::Front, Camer
 
 MainWindow::MainWindow(const WindowParts& parts, const Preferences& preferences, QWidget* parent)
     : QMainWindow(parent),
+      parts_(parts),
       controller_(parts.controller),
       preferences_(preferences),
       inspector_(new PositionInspector(parts.jobs, this)),
@@ -155,6 +159,8 @@ void MainWindow::addSessionMenu() {
     wizard_->goTo(QStringLiteral("turn_over"));
   });
   session.addSeparator();
+  stands_ = addGuarded(session, tr("How the stan&ds lie in each other…"), tr("Ctrl+D"), [this] { compareStands(); });
+  session.addSeparator();
   addAction(session, tr("Next pa&ge"), tr("Alt+Right"), [this] { wizard_->goOn(); });
   addAction(session, tr("Page &before"), tr("Alt+Left"), [this] { wizard_->goBack(); });
   session.addSeparator();
@@ -223,6 +229,7 @@ void MainWindow::refreshActions() {
   allow(*open_, may.whyNotOpen());
   allow(*import_, may.whyNotOpen());
   allow(*turnOver_, standDesk_->whyNotTurn());
+  allow(*stands_, may.whyNotCompareStands());
 }
 
 // The session of last time is found again by its path.
@@ -263,6 +270,18 @@ void MainWindow::importScans(const QStringList& files) {
   dialog->setWindowModality(Qt::WindowModal);
   dialog->suggest(wizard_->choosePage().importChoice());
   dialog->addFiles(files);
+  dialog->open();
+}
+
+void MainWindow::compareStands(std::optional<int> stand) {
+  if (const QString why = controller_.permissions().whyNotCompareStands(); !why.isEmpty()) return say(why);
+  const std::vector<int> waiting = standsToAlign(*controller_.now());
+  const bool waits = stand && std::find(waiting.begin(), waiting.end(), *stand) != waiting.end();
+  const StandLook look{parts_.surfaces, preferences_.theme == 1 ? darkTheme() : lightTheme(),
+                       static_cast<NavigationScheme>(preferences_.navigation)};
+  auto* dialog = new StandDialog(controller_, parts_.jobs, look, waits ? *stand : waiting.back(), this);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setWindowModality(Qt::WindowModal);
   dialog->open();
 }
 
@@ -314,6 +333,7 @@ void MainWindow::writeReport(const QString& path) {
         if (!pictures[i].isNull())
           options.pictures.push_back(toReportPicture(pictures[i], captions[static_cast<int>(i)]));
       options.viewPictures = scanPictures(state);
+      options.standPictures = standPictures(state);
       return options;
     });
   });

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QMainWindow>
+#include <optional>
 
 #include "docks/why_panel.h"
 #include "session_views.h"
@@ -34,6 +35,8 @@ class MainWindow final : public QMainWindow {
   [[nodiscard]] SessionViews& views() { return *views_; }
 
   void applyPreferences(const Preferences& preferences);
+  /// Shows how a stand that is not in place yet lies in the object; without a number that of the last of them.
+  void compareStands(std::optional<int> stand = {});
   /// Docks as the operator left them.
   void restoreLayout();
 
@@ -63,6 +66,7 @@ class MainWindow final : public QMainWindow {
   void resetLayout();
   void showAbout();
 
+  WindowParts parts_;
   SessionController& controller_;
   Preferences preferences_;
   PositionInspector* inspector_;
@@ -80,6 +84,7 @@ class MainWindow final : public QMainWindow {
   QAction* step_ = nullptr;
   QAction* pause_ = nullptr;
   QAction* stop_ = nullptr;
+  QAction* stands_ = nullptr;
   QAction* undo_ = nullptr;
   QAction* redo_ = nullptr;
   QAction* close_ = nullptr;

@@ -99,6 +99,12 @@ QString Permissions::whyNotAddScans() const {
   return busyOr(unless(at_.now->profile != nullptr, RefusalReason::NoProfile));
 }
 
+QString Permissions::whyNotCompareStands() const {
+  if (at_.busy) return tr("Something else is under way.");
+  if (!at_.now || at_.now->stands.size() < 2) return tr("The object has stood in one stand only.");
+  return standsToAlign(*at_.now).empty() ? tr("All stands that have views are in place.") : QString();
+}
+
 QString Permissions::whyNotOpen() const {
   return busyOr({});
 }

@@ -42,6 +42,8 @@ class Permissions {
   [[nodiscard]] QString whyNotExport() const;
   /// Why scans of files cannot be added to the open session.
   [[nodiscard]] QString whyNotAddScans() const;
+  /// Why there is no stand whose place in the object could be looked at.
+  [[nodiscard]] QString whyNotCompareStands() const;
   [[nodiscard]] QString whyNotOpen() const;
   [[nodiscard]] QString whyNotClose() const;
 

@@ -5,6 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "acquisition/stand_composites.h"
+#include "scenes/model_scene.h"
+#include "scenes/ray_picture.h"
+
 namespace vantage {
 namespace {
 
@@ -26,6 +30,45 @@ double facing(const RangeImage& scan, int row, int column) {
   const Vec3 normal = (scan.point(below) - p).cross(scan.point(beside) - p);
   const double length = normal.norm();
   return length > 0.0 ? std::abs(normal.dot(rays.ray(here).direction)) / length : 0.0;
+}
+
+constexpr QSize kStandPicture(400, 300);
+constexpr int kDiscSides = 96;
+constexpr double kDiscWider = 1.25;  // than what stands on it
+
+// A disc below what stands on a table.
+Mesh discBelow(const Mesh& mesh, const Pose& T_table_mesh) {
+  double radius = 1.0;
+  double lowest = 0.0;
+  for (const Vec3& v : mesh.vertices) {
+    const Vec3 p = T_table_mesh * v;
+    radius = std::max(radius, std::hypot(p.x(), p.y()));
+    lowest = std::min(lowest, p.z());
+  }
+  Mesh disc;
+  disc.vertices.emplace_back(0.0, 0.0, lowest);
+  for (std::uint32_t i = 0; i < kDiscSides; ++i) {
+    const double azimuth = 2.0 * kPi * i / kDiscSides;
+    disc.vertices.emplace_back(kDiscWider * radius * std::cos(azimuth), kDiscWider * radius * std::sin(azimuth),
+                               lowest);
+    disc.triangles.push_back({0, 1 + i, 1 + (i + 1) % kDiscSides});
+  }
+  return disc;
+}
+
+QImage standingPicture(const Mesh& mesh, const Pose& T_table_mesh) {
+  const Theme& theme = lightTheme();
+  const Mesh table = discBelow(mesh, T_table_mesh);
+  const RayCaster body(mesh);
+  const RayCaster disc(table);
+  BoundingBox box = boundingBox(table);
+  for (const Vec3& v : mesh.vertices) box.extend(T_table_mesh * v);
+  const auto plain = [](const QColor& colour) { return [rgb = toRgb(colour)](std::uint32_t) { return rgb; }; };
+  const std::vector<PicturedSurface> surfaces{{&body, T_table_mesh, plain(theme.surface)},
+                                              {&disc, Pose::Identity(), plain(theme.table)}};
+  const Camera camera = presetCamera(CameraPreset::Oblique, box, {}, std::nullopt,
+                                     static_cast<double>(kStandPicture.width()) / kStandPicture.height());
+  return rayPicture(surfaces, camera, kStandPicture, theme);
 }
 
 }  // namespace
@@ -69,6 +112,20 @@ std::vector<ReportPicture> scanPictures(const AcquisitionState& state) {
     pictures.push_back(
         toReportPicture(scanImage(*view.image), position ? Text::tr("View %1, position %2").arg(number).arg(*position)
                                                          : Text::tr("View %1").arg(number)));
+  }
+  return pictures;
+}
+
+std::vector<ReportPicture> standPictures(const AcquisitionState& state) {
+  std::vector<ReportPicture> pictures;
+  if (state.stands.size() < 2) return pictures;
+  for (int stand = 0; stand <= state.stand(); ++stand) {
+    const AcquisitionState composite = withComposite(state, compositeOf(state, stand));
+    // Nothing was scanned in it yet.
+    const Mesh mesh = composite.model ? composite.model->mesh : Mesh{};
+    const QString caption =
+        composite.model ? Text::tr("Stand %1").arg(stand) : Text::tr("Stand %1, no scan").arg(stand);
+    pictures.push_back(toReportPicture(standingPicture(mesh, tableOf(state, stand).inverse()), caption));
   }
   return pictures;
 }

@@ -18,6 +18,10 @@ namespace vantage {
 /// Pictures of all scans of a state, one per view.
 [[nodiscard]] std::vector<ReportPicture> scanPictures(const AcquisitionState& state);
 
+/// How the object stood in each stand, on the table and as far as it was known then or is now; none for an object that
+/// was not turned over. Drawn without a graphics card, on any thread.
+[[nodiscard]] std::vector<ReportPicture> standPictures(const AcquisitionState& state);
+
 /// A picture as the bytes of a PNG file.
 [[nodiscard]] ReportPicture toReportPicture(const QImage& image, const QString& caption);
 

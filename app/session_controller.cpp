@@ -293,7 +293,6 @@ void SessionController::stop() {
   work_.stop();
 }
 
-// A command that needs no scan: carried out, written, shown.
 void SessionController::change(const Command& command) {
   if (!allowed(permissions().whyNot(command))) return;
   work_.begin<Present>(

@@ -33,7 +33,8 @@ struct RenderArguments {
 };
 
 constexpr int kLargestSide = 8192;
-const std::vector<std::string> kSurfaces{"plain", "confidence", "view", "age", "colours"};  // as ModelColouring
+const std::vector<std::string> kSurfaces{"plain", "confidence", "view",
+                                         "age",   "colours",    "stand"};  // as ModelColouring
 const std::vector<std::string> kViews{"model", "void", "ps-void", "ps-seen", "ps-scanner", "objective"};
 
 QSize parseSize(const std::string& text) {
@@ -109,6 +110,8 @@ std::optional<ModelColouring> colouringOf(const RenderArguments& args, const Vie
   const auto colouring = static_cast<ModelColouring>(found - kSurfaces.begin());
   if (colouring == ModelColouring::Colours && !haveColours(snapshot.views))
     throw InvalidInput(args.session + ": none of its scans has colours, --surface colours needs some");
+  if (colouring == ModelColouring::Stand && !haveStands(snapshot.views))
+    throw InvalidInput(args.session + ": all of its views are of one stand, --surface stand needs several");
   return colouring;
 }
 

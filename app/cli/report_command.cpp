@@ -48,6 +48,7 @@ void run(const ReportArguments& args, CommandContext& context) {
   const PictureApplication application;
   options.pictures = modelPictures(state);
   options.viewPictures = scanPictures(*state);
+  options.standPictures = standPictures(*state);
   writeTextFile(args.out, makeHtmlReport(*state, options));
   context.result({{"file", args.out}, {"views", countScans(*state, ScanStatus::In)}},
                  args.out + ": report of " + std::to_string(countScans(*state, ScanStatus::In)) + " views\n");

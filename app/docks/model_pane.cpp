@@ -6,16 +6,11 @@
 #include <QSignalBlocker>
 #include <QToolButton>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "integration/colouring.h"
 
 namespace vantage {
-namespace {
-
-constexpr int kColours = static_cast<int>(ModelColouring::Colours);
-
-}  // namespace
-
 ModelPane::ModelPane(const SurfaceMaker& surfaces, const std::shared_ptr<GeometryStore>& store, QWidget* parent)
     : QWidget(parent), view_(new ModelView(surfaces, nullptr, store)), notice_(new QToolButton) {
   auto* column = new QVBoxLayout(this);
@@ -24,7 +19,10 @@ ModelPane::ModelPane(const SurfaceMaker& surfaces, const std::shared_ptr<Geometr
   auto* bar = new QHBoxLayout;
   bar->setContentsMargins(6, 4, 6, 4);
   colouring_ = addChoice(*bar, tr("Colour of the surface"), {tr("Plain"), tr("Confidence"), tr("View"), tr("Age")},
-                         [](ModelViewOptions& o, int i) { o.colouring = static_cast<ModelColouring>(i); });
+                         [this](ModelViewOptions& o, int i) {
+                           o.colouring = static_cast<ModelColouring>(colouring_->itemData(i).toInt());
+                         });
+  for (int i = 0; i < colouring_->count(); ++i) colouring_->setItemData(i, i);  // as ModelColouring has them
   colouring_->setObjectName(QStringLiteral("colouring"));
   addChoice(*bar, tr("Colour of the void"), {tr("Void by edge class"), tr("Void by state")},
             [](ModelViewOptions& o, int i) { o.voidColouring = static_cast<VoidColouring>(i); });
@@ -45,17 +43,24 @@ ModelPane::ModelPane(const SurfaceMaker& surfaces, const std::shared_ptr<Geometr
 }
 
 void ModelPane::setSnapshot(const SharedSnapshot& snapshot) {
-  offerColours(snapshot && haveColours(snapshot->views));
+  const QSignalBlocker quiet(colouring_);
+  offer(ModelColouring::Colours, tr("Colours"), snapshot && haveColours(snapshot->views));
+  offer(ModelColouring::Stand, tr("Stand"), snapshot && haveStands(snapshot->views));
+  showColouring();
   view_->setSnapshot(snapshot);
 }
 
-// The last of the choices, made by itself as long as nobody has made another.
-void ModelPane::offerColours(bool offered) {
-  const QSignalBlocker quiet(colouring_);
-  if (offered && colouring_->count() == kColours) colouring_->addItem(tr("Colours"));
-  if (!offered && colouring_->count() > kColours) colouring_->removeItem(kColours);
-  const int chosen = static_cast<int>(view_->options().colouring.value_or(ModelColouring::Colours));
-  colouring_->setCurrentIndex(chosen < colouring_->count() ? chosen : static_cast<int>(ModelColouring::Plain));
+// Choices that not every model has are the last.
+void ModelPane::offer(ModelColouring colouring, const QString& text, bool offered) {
+  const int index = colouring_->findData(static_cast<int>(colouring));
+  if (offered && index < 0) colouring_->addItem(text, static_cast<int>(colouring));
+  if (!offered && index >= 0) colouring_->removeItem(index);
+}
+
+// Colours are chosen by themselves as long as nobody has chosen another.
+void ModelPane::showColouring() {
+  const ModelColouring wanted = view_->options().colouring.value_or(ModelColouring::Colours);
+  colouring_->setCurrentIndex(std::max(colouring_->findData(static_cast<int>(wanted)), 0));
 }
 
 QComboBox* ModelPane::addChoice(QHBoxLayout& bar, const QString& name, const QStringList& options,

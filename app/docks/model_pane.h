@@ -18,7 +18,7 @@ class ModelPane final : public QWidget {
   ModelPane(const SurfaceMaker& surfaces, const std::shared_ptr<GeometryStore>& store, QWidget* parent = nullptr);
 
   [[nodiscard]] ModelView& view() { return *view_; }
-  /// Shows it, and offers the colours of its scans where they saw some.
+  /// Shows it; offers the colours of its scans where they saw some, and its stands where there are several.
   void setSnapshot(const SharedSnapshot& snapshot);
   /// A line over the view, for instance that an earlier moment is shown; empty hides it.
   void setNotice(const QString& text);
@@ -31,7 +31,8 @@ class ModelPane final : public QWidget {
                        const std::function<void(ModelViewOptions&, int)>& apply);
   void addSwitch(QHBoxLayout& bar, const QString& text, const QString& help, bool ModelViewOptions::*value);
   void addCamera(QHBoxLayout& bar);
-  void offerColours(bool offered);
+  void offer(ModelColouring colouring, const QString& text, bool offered);
+  void showColouring();
 
   ModelView* view_;
   QComboBox* colouring_ = nullptr;

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdint>
-#include <cstdio>
 #include <map>
 #include <string_view>
 
@@ -12,8 +10,10 @@
 #include "planning/choice.h"
 #include "report/areas_known.h"
 #include "report/edges_left.h"
+#include "report/html_parts.h"
 #include "report/reading_words.h"
 #include "report/report.h"
+#include "report/stands_html.h"
 #include "report/svg_chart.h"
 #include "report/wording.h"
 
@@ -37,49 +37,6 @@ img { width: 100%; border: 1px solid var(--line); } svg { width: 100%; }
 </style>
 )";
 
-std::string figure(double value, int decimals) {
-  char text[64];
-  std::snprintf(text, sizeof text, "%.*f", decimals, value);
-  return text;
-}
-
-std::string cell(const std::string& text) {
-  return "<td>" + text + "</td>";
-}
-
-std::string row(const std::vector<std::string>& cells, std::string_view tag = "td") {
-  std::string html = "<tr>";
-  for (const std::string& text : cells)
-    html.append("<").append(tag).append(">").append(text).append("</").append(tag).append(">");
-  return html + "</tr>\n";
-}
-
-std::string base64(std::string_view bytes) {
-  constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  text.reserve((bytes.size() + 2) / 3 * 4);
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    std::uint32_t group = 0;
-    for (std::size_t k = 0; k < 3; ++k)
-      group = group << 8U | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0U);
-    for (std::size_t k = 0; k < 4; ++k) text += i + k > bytes.size() ? '=' : kDigits[group >> (18U - 6U * k) & 63U];
-  }
-  return text;
-}
-
-std::string pictureHtml(const ReportPicture& picture) {
-  const std::string caption = escapedHtml(picture.caption);
-  return "<figure><img alt=\"" + caption + "\" src=\"data:image/png;base64," + base64(picture.png) + "\"><figcaption>" +
-         caption + "</figcaption></figure>\n";
-}
-
-std::string picturesHtml(const std::vector<ReportPicture>& pictures) {
-  if (pictures.empty()) return {};
-  std::string html = "<div class=\"pictures\">\n";
-  for (const ReportPicture& picture : pictures) html += pictureHtml(picture);
-  return html + "</div>\n";
-}
-
 // How it ended, and what that leaves.
 std::string endingText(const AcquisitionState& state) {
   const bool asAsked = state.termination == Termination::Finished && !state.plan;
@@ -87,7 +44,7 @@ std::string endingText(const AcquisitionState& state) {
   const auto further = furtherScan(state);
   if (further && further->predicted)
     text += " A view from position " + std::to_string(further->position) + " would still show " +
-            figure(promise(*further->predicted), 0) + " mm².";
+            decimalText(promise(*further->predicted), 0) + " mm².";
   return text;
 }
 
@@ -100,7 +57,7 @@ std::string readingRows(const AcquisitionState& state) {
     if (std::find(said.begin(), said.end(), text) == said.end()) said.push_back(text);
   }
   std::string html;
-  for (const std::string& text : said) html += row({"Scans read as", escapedHtml(text)});
+  for (const std::string& text : said) html += htmlRow({"Scans read as", escapedHtml(text)});
   return html;
 }
 
@@ -108,16 +65,16 @@ std::string summaryHtml(const AcquisitionState& state) {
   const AcquisitionSettings& settings = state.settings;
   const auto model = modelJson(state.model ? state.model->mesh : Mesh{});
   std::string html = "<p>" + endingText(state) + "</p>\n<table>";
-  html +=
-      row({"Object", escapedHtml(settings.simulation.object.empty() ? "recorded scans" : settings.simulation.object)});
-  html += row({"Scanner", escapedHtml(state.profile ? state.profile->name : "none: recorded scans")});
-  html += row({"Views", std::to_string(countScans(state, ScanStatus::In)) + " integrated, " +
-                            std::to_string(countScans(state, ScanStatus::Rejected)) + " not registered, " +
-                            std::to_string(countScans(state, ScanStatus::LeftOut)) + " left out"});
-  html +=
-      row({"Model", model["triangles"].dump() + " triangles, " + figure(model["area_mm2"].get<double>(), 0) + " mm²"});
+  html += htmlRow(
+      {"Object", escapedHtml(settings.simulation.object.empty() ? "recorded scans" : settings.simulation.object)});
+  html += htmlRow({"Scanner", escapedHtml(state.profile ? state.profile->name : "none: recorded scans")});
+  html += htmlRow({"Views", std::to_string(countScans(state, ScanStatus::In)) + " integrated, " +
+                                std::to_string(countScans(state, ScanStatus::Rejected)) + " not registered, " +
+                                std::to_string(countScans(state, ScanStatus::LeftOut)) + " left out"});
+  html += htmlRow(
+      {"Model", model["triangles"].dump() + " triangles, " + decimalText(model["area_mm2"].get<double>(), 0) + " mm²"});
   html += readingRows(state);
-  html += row({"Boundary", model["boundary_edges"].dump() + " edges"});
+  html += htmlRow({"Boundary", model["boundary_edges"].dump() + " edges"});
   return html + "</table>\n";
 }
 
@@ -132,8 +89,8 @@ std::string coverageHtml(const AcquisitionState& state) {
 }
 
 std::string promisedCells(const ScanRecord& record) {
-  if (!record.predicted) return cell("–") + cell("–");
-  return cell(figure(promise(*record.predicted), 0)) + cell(figure(record.predicted->overlapArea, 0));
+  if (!record.predicted) return htmlCell("–") + htmlCell("–");
+  return htmlCell(decimalText(promise(*record.predicted), 0)) + htmlCell(decimalText(record.predicted->overlapArea, 0));
 }
 
 std::string positionText(const KeptScan& scan) {
@@ -157,23 +114,26 @@ std::string viewsHtml(const AcquisitionState& state) {
   std::string html =
       "<h2>Views</h2>\n<p class=\"faint\">Void and overlap as promised by the plan, weighted by confidence; areas "
       "as they came [mm²]; registration residual [mm].</p>\n<table>";
-  html += row({"View", "Position", "Samples", "Void promised", "Overlap promised", "New area", "Overlap", "Residual",
-               "Verdict"},
-              "th");
+  html += htmlRow({"View", "Position", "Samples", "Void promised", "Overlap promised", "New area", "Overlap",
+                   "Residual", "Verdict"},
+                  "th");
   std::size_t index = 0;
   for (const KeptScan* scan : scansOf(state, ScanStatus::In)) {
     const ScanRecord& r = scan->record;
-    html += "<tr>" + cell(std::to_string(++index)) + cell(positionText(*scan)) + cell(std::to_string(r.samples)) +
-            promisedCells(r) + cell(areasKnown(r) ? figure(r.newArea, 0) : "–") +
-            cell(areasKnown(r) ? figure(r.overlapArea, 0) : "–") + cell(figure(r.registration.rms, 3)) +
-            cell(std::string(name(r.registration.verdict))) + "</tr>\n";
+    html += "<tr>" + htmlCell(std::to_string(++index)) + htmlCell(positionText(*scan)) +
+            htmlCell(std::to_string(r.samples)) + promisedCells(r) +
+            htmlCell(areasKnown(r) ? decimalText(r.newArea, 0) : "–") +
+            htmlCell(areasKnown(r) ? decimalText(r.overlapArea, 0) : "–") +
+            htmlCell(decimalText(r.registration.rms, 3)) + htmlCell(std::string(name(r.registration.verdict))) +
+            "</tr>\n";
   }
   for (const KeptScan* scan : scansOf(state, ScanStatus::Rejected))
-    html += row({"not integrated", positionText(*scan), std::to_string(scan->record.samples), "", "", "", "",
-                 figure(scan->record.registration.rms, 3), escapedHtml(describe(scan->record.registration.finding))});
+    html += htmlRow({"not integrated", positionText(*scan), std::to_string(scan->record.samples), "", "", "", "",
+                     decimalText(scan->record.registration.rms, 3),
+                     escapedHtml(describe(scan->record.registration.finding))});
   for (const KeptScan* scan : scansOf(state, ScanStatus::LeftOut))
-    html += row({"left out", positionText(*scan), std::to_string(scan->record.samples), "", "", "", "",
-                 figure(scan->record.registration.rms, 3), "by the operator"});
+    html += htmlRow({"left out", positionText(*scan), std::to_string(scan->record.samples), "", "", "", "",
+                     decimalText(scan->record.registration.rms, 3), "by the operator"});
   return html + "</table>\n" + thinningHtml(state);
 }
 
@@ -184,7 +144,7 @@ std::string objectiveFigure(const Plan& plan, const std::string& when) {
   return "<figure>" + drawChart(chart) + "<figcaption>" + escapedHtml(chart.title) +
          (plan.position ? "; proposed: position " + std::to_string(*plan.position) : "; nothing proposed") +
          (plan.tableAlone ? "; nothing overlaps enough, the table alone places it"
-                          : "; least overlap t = " + figure(plan.leastOverlap, 0) + " mm²") +
+                          : "; least overlap t = " + decimalText(plan.leastOverlap, 0) + " mm²") +
          "</figcaption></figure>\n";
 }
 
@@ -206,7 +166,7 @@ std::string timesHtml(const AcquisitionState& state) {
   std::string html = "<h2>Time of each phase [s]</h2>\n<table>";
   std::vector<std::string> head{"View"};
   for (int phase = 0; phase < kPhases; ++phase) head.emplace_back(titleOf(static_cast<Phase>(phase)));
-  html += row(head, "th");
+  html += htmlRow(head, "th");
   std::array<double, kPhases> total{};
   std::size_t index = 0;
   for (const KeptScan* scan : scansOf(state, ScanStatus::In)) {
@@ -215,22 +175,22 @@ std::string timesHtml(const AcquisitionState& state) {
       const auto it = scan->record.seconds.find(static_cast<Phase>(phase));
       const double seconds = it == scan->record.seconds.end() ? 0.0 : it->second;
       total[static_cast<std::size_t>(phase)] += seconds;
-      cells.push_back(figure(seconds, 2));
+      cells.push_back(decimalText(seconds, 2));
     }
-    html += row(cells);
+    html += htmlRow(cells);
   }
   std::vector<std::string> sums{"All"};
-  for (const double seconds : total) sums.push_back(figure(seconds, 2));
-  return html + row(sums, "th") + "</table>\n";
+  for (const double seconds : total) sums.push_back(decimalText(seconds, 2));
+  return html + htmlRow(sums, "th") + "</table>\n";
 }
 
 std::string remainingHtml(const AcquisitionState& state) {
   if (!state.plan) return {};
   const Plan& plan = *state.plan;
-  std::string html = "<h2>What is left, and why</h2>\n<table>" + row({"Reason", "Edges", "Length [mm]"}, "th");
+  std::string html = "<h2>What is left, and why</h2>\n<table>" + htmlRow({"Reason", "Edges", "Length [mm]"}, "th");
   for (const EdgesLeft& left : edgesLeft(plan))
-    html +=
-        row({std::string(sentenceOf(left.reason, plan.outcome)), std::to_string(left.edges), figure(left.length, 0)});
+    html += htmlRow(
+        {std::string(sentenceOf(left.reason, plan.outcome)), std::to_string(left.edges), decimalText(left.length, 0)});
   return html + "</table>\n";
 }
 
@@ -240,11 +200,15 @@ std::string makeHtmlReport(const AcquisitionState& state, const HtmlReportOption
   if (!options.viewPictures.empty() && options.viewPictures.size() != countScans(state, ScanStatus::In))
     throw InvalidInput("the report was given " + std::to_string(options.viewPictures.size()) +
                        " pictures of views, expected " + std::to_string(countScans(state, ScanStatus::In)));
+  if (!options.standPictures.empty() && options.standPictures.size() != state.stands.size())
+    throw InvalidInput("the report was given " + std::to_string(options.standPictures.size()) +
+                       " pictures of stands, expected " + std::to_string(state.stands.size()));
   std::string html =
       "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" "
       "content=\"width=device-width\"><title>Vantage report</title>\n";
   html.append(kStyle).append("</head><body>\n<h1>Acquisition report</h1>\n");
   html += summaryHtml(state) + picturesHtml(options.pictures) + coverageHtml(state) + viewsHtml(state);
+  html += standsHtml(state, options.standPictures);
   html += picturesHtml(options.viewPictures) + objectiveHtml(state) + timesHtml(state) + remainingHtml(state);
   return html + "<p class=\"faint\">Vantage " + escapedHtml(options.version) + ", seed " +
          std::to_string(state.settings.simulation.seed) + "</p>\n</body></html>\n";

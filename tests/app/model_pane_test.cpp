@@ -8,16 +8,19 @@ namespace vantage {
 namespace {
 
 // Snapshots of a state with one view and no model yet: which choices there are follows from the scans.
-SharedSnapshot snapshotOf(bool coloured) {
+SharedSnapshot snapshotOf(bool coloured, const std::vector<int>& stands = {0}) {
   RangeImage image;
   image.rays = std::make_shared<const RayGrid>(2, 2, std::vector<RangingRay>(4, {Vec3::Zero(), Vec3::UnitX()}),
                                                std::vector<Vec3>(), 0);
   image.range.assign(4, 100.0F);
   if (coloured) image.colours.assign(4, Colour{1, 2, 3});
   auto state = std::make_shared<AcquisitionState>();
-  KeptScan scan;
-  scan.view.image = std::make_shared<const RangeImage>(std::move(image));
-  state->scans.push_back(scan);
+  for (const int stand : stands) {
+    image.station.stand = stand;
+    KeptScan scan;
+    scan.view.image = std::make_shared<const RangeImage>(image);
+    state->scans.push_back(scan);
+  }
   return makeSnapshot(state);
 }
 
@@ -69,6 +72,21 @@ TEST_F(ModelPaneColours, ThatWereChosenComeBack) {
   EXPECT_EQ(choice().currentText(), "Plain");
   pane_.setSnapshot(snapshotOf(true));
   EXPECT_EQ(choice().currentText(), "Colours");
+  EXPECT_EQ(pane_.view().options().colouring, ModelColouring::Colours);
+}
+
+TEST_F(ModelPaneColours, ByStandAreOfferedWhereThereAreSeveral) {
+  pane_.setSnapshot(snapshotOf(true, {0, 0}));
+  EXPECT_EQ(choice().findText("Stand"), -1);
+  pane_.setSnapshot(snapshotOf(false, {0, 0, 1}));
+  EXPECT_EQ(choice().currentText(), "Plain");
+  choice().setCurrentText("Stand");
+  EXPECT_EQ(pane_.view().options().colouring, ModelColouring::Stand);
+  pane_.setSnapshot(snapshotOf(true, {0, 1}));
+  EXPECT_EQ(choice().currentText(), "Stand");
+  pane_.setSnapshot(snapshotOf(true));
+  EXPECT_EQ(choice().findText("Stand"), -1);
+  choice().setCurrentText("Colours");
   EXPECT_EQ(pane_.view().options().colouring, ModelColouring::Colours);
 }
 

@@ -1,6 +1,7 @@
 #include "layers/model_geometry.h"
 
 #include <gtest/gtest.h>
+#include <vtkCellData.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkUnsignedCharArray.h>
@@ -58,6 +59,24 @@ TEST(ModelGeometry, IsShownInItsColoursWhereItHasSomeUnlessSomethingElseIsAskedF
   EXPECT_EQ(geometry.shown(ModelColouring::Plain), ModelColouring::Plain);
 }
 
+TEST(ModelGeometry, DrawsTheStandThatShowedTheSurfaceFirst) {
+  auto model = std::make_shared<Model>(*sphereModel(50.0, 120));
+  for (std::size_t v = 0; v < model->vertexView.size(); ++v) model->vertexView[v] = v % 3;
+  for (std::size_t t = 0; t < model->triangleView.size(); ++t) model->triangleView[t] = t % 3;
+  const auto geometry = withStandIn(prepareModelGeometry(model), {1000, 3000});
+  ASSERT_NE(geometry->coarse, nullptr);
+  const std::vector<int> stands{0, 0, 2};
+  const auto drawn = geometry->coloured(ModelColouring::Stand, stands);
+  const auto* cells = vtkUnsignedCharArray::SafeDownCast(drawn->GetCellData()->GetScalars());
+  ASSERT_NE(cells, nullptr);
+  for (int t = 0; t < 6; ++t) EXPECT_EQ(cells->GetTypedComponent(t, 0), standColour(stands[t % 3])[0]) << t;
+  const std::vector<Rgb> coarse = drawnColours(*geometry->colouredCoarse(ModelColouring::Stand, stands));
+  ASSERT_EQ(coarse.size(), geometry->coarseVertex.size());
+  for (std::size_t i = 0; i < coarse.size(); ++i)
+    EXPECT_EQ(coarse[i], standColour(stands[model->vertexView[geometry->coarseVertex[i]]]));
+  EXPECT_NE(standColour(0), standColour(2));
+}
+
 TEST(ModelGeometry, DrawsColoursAndGreyWhereThereIsNone) {
   const auto model = sphereModel(50.0, 120);
   StandInOptions options;
@@ -70,8 +89,8 @@ TEST(ModelGeometry, DrawsColoursAndGreyWhereThereIsNone) {
     geometry.colours.push_back(v % 5 == 0 ? std::nullopt : std::optional(colour));
     expected.push_back(v % 5 == 0 ? kGrey : colour);
   }
-  EXPECT_EQ(drawnColours(*geometry.coloured(ModelColouring::Colours, 1)), expected);
-  const std::vector<Rgb> coarse = drawnColours(*geometry.colouredCoarse(ModelColouring::Colours, 1));
+  EXPECT_EQ(drawnColours(*geometry.coloured(ModelColouring::Colours, {})), expected);
+  const std::vector<Rgb> coarse = drawnColours(*geometry.colouredCoarse(ModelColouring::Colours, {}));
   ASSERT_EQ(coarse.size(), geometry.coarseVertex.size());
   for (std::size_t i = 0; i < coarse.size(); ++i) EXPECT_EQ(coarse[i], expected[geometry.coarseVertex[i]]);
 }

@@ -100,12 +100,16 @@ Rgb ageColour(std::size_t view, std::size_t views) {
   return colourAt(ColourMap::Viridis, views > 1 ? static_cast<double>(view) / static_cast<double>(views - 1) : 1.0);
 }
 
+Rgb standColour(int stand) {
+  return categoryColour(static_cast<std::size_t>(stand));
+}
+
 ModelColouring ModelGeometry::shown(std::optional<ModelColouring> asked) const {
   const ModelColouring wanted = asked.value_or(ModelColouring::Colours);
   return wanted == ModelColouring::Colours && colours.empty() ? ModelColouring::Plain : wanted;
 }
 
-vtkSmartPointer<vtkPolyData> ModelGeometry::coloured(ModelColouring colouring, std::size_t views) const {
+vtkSmartPointer<vtkPolyData> ModelGeometry::coloured(ModelColouring colouring, std::span<const int> stands) const {
   std::vector<Rgb> painted;
   switch (colouring) {
     case ModelColouring::Plain:
@@ -117,7 +121,10 @@ vtkSmartPointer<vtkPolyData> ModelGeometry::coloured(ModelColouring colouring, s
       for (const std::uint32_t view : model->triangleView) painted.push_back(viewColour(view));
       break;
     case ModelColouring::Age:
-      for (const std::uint32_t view : model->triangleView) painted.push_back(ageColour(view, views));
+      for (const std::uint32_t view : model->triangleView) painted.push_back(ageColour(view, stands.size()));
+      break;
+    case ModelColouring::Stand:
+      for (const std::uint32_t view : model->triangleView) painted.push_back(standColour(stands[view]));
       break;
     case ModelColouring::Colours:
       for (const auto& colour : colours) painted.push_back(colour.value_or(kGrey));
@@ -126,7 +133,8 @@ vtkSmartPointer<vtkPolyData> ModelGeometry::coloured(ModelColouring colouring, s
   return withCellColours(*surface, painted);
 }
 
-vtkSmartPointer<vtkPolyData> ModelGeometry::colouredCoarse(ModelColouring colouring, std::size_t views) const {
+vtkSmartPointer<vtkPolyData> ModelGeometry::colouredCoarse(ModelColouring colouring,
+                                                           std::span<const int> stands) const {
   if (colouring == ModelColouring::Plain || coarse == nullptr) return coarse;
   std::vector<Rgb> painted;
   for (const std::uint32_t v : coarseVertex) {
@@ -136,8 +144,10 @@ vtkSmartPointer<vtkPolyData> ModelGeometry::colouredCoarse(ModelColouring colour
       painted.push_back(viewColour(model->vertexView[v]));
     else if (colouring == ModelColouring::Colours)
       painted.push_back(colours[v].value_or(kGrey));
+    else if (colouring == ModelColouring::Stand)
+      painted.push_back(standColour(stands[model->vertexView[v]]));
     else
-      painted.push_back(ageColour(model->vertexView[v], views));
+      painted.push_back(ageColour(model->vertexView[v], stands.size()));
   }
   return withPointColours(*coarse, painted);
 }

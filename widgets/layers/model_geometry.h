@@ -3,6 +3,7 @@
 #include <vtkSmartPointer.h>
 
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "acquisition/acquisition_state.h"
@@ -33,8 +34,10 @@ struct ModelGeometry {
   [[nodiscard]] ModelColouring shown(std::optional<ModelColouring> asked) const;
 
   /// The surface and its coarse stand-in in colours; with the plain colouring without. @pre colours, for Colours
-  [[nodiscard]] vtkSmartPointer<vtkPolyData> coloured(ModelColouring colouring, std::size_t views) const;
-  [[nodiscard]] vtkSmartPointer<vtkPolyData> colouredCoarse(ModelColouring colouring, std::size_t views) const;
+  /// @param stands of the model's views, one for each
+  [[nodiscard]] vtkSmartPointer<vtkPolyData> coloured(ModelColouring colouring, std::span<const int> stands) const;
+  [[nodiscard]] vtkSmartPointer<vtkPolyData> colouredCoarse(ModelColouring colouring,
+                                                            std::span<const int> stands) const;
 };
 
 /// Makes a model ready to be drawn, but not to be picked: a tenth of a second for a million triangles.
@@ -75,5 +78,7 @@ struct StandInOptions {
 /// The colour of the surface that a view brought, among so many views.
 [[nodiscard]] Rgb viewColour(std::size_t view);
 [[nodiscard]] Rgb ageColour(std::size_t view, std::size_t views);
+/// The colour of the surface that a stand brought.
+[[nodiscard]] Rgb standColour(int stand);
 
 }  // namespace vantage

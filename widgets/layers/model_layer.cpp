@@ -33,14 +33,14 @@ ModelLayer::ModelLayer(Scene& scene)
   update();
 }
 
-void ModelLayer::set(std::shared_ptr<const ModelGeometry> geometry, ModelColouring colouring, std::size_t views) {
-  if (geometry == geometry_ && colouring == colouring_ && views == views_) return;
+void ModelLayer::set(std::shared_ptr<const ModelGeometry> geometry, ModelColouring colouring, std::vector<int> stands) {
+  if (geometry == geometry_ && colouring == colouring_ && stands == stands_) return;
   geometry_ = std::move(geometry);
   colouring_ = colouring;
-  views_ = views;
-  scene_.change([this, colouring, views, shown = geometry_] {
-    setData(*surface_, shown ? shown->coloured(colouring, views).Get() : nullptr);
-    setData(*coarse_, shown ? shown->colouredCoarse(colouring, views).Get() : nullptr);
+  stands_ = std::move(stands);
+  scene_.change([this, colouring, stands = stands_, shown = geometry_] {
+    setData(*surface_, shown ? shown->coloured(colouring, stands).Get() : nullptr);
+    setData(*coarse_, shown ? shown->colouredCoarse(colouring, stands).Get() : nullptr);
     setData(*boundary_, shown ? shown->boundary.Get() : nullptr);
   });
   update();

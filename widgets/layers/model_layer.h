@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
 #include "geometry/vectors.h"
 #include "layers/model_geometry.h"
@@ -14,8 +15,8 @@ class ModelLayer {
   explicit ModelLayer(Scene& scene);
 
   /// @param geometry null for no model
-  /// @param views taken so far, for colours by age
-  void set(std::shared_ptr<const ModelGeometry> geometry, ModelColouring colouring, std::size_t views);
+  /// @param stands of the model's views, one for each, for colours by age and stand
+  void set(std::shared_ptr<const ModelGeometry> geometry, ModelColouring colouring, std::vector<int> stands);
   /// Where the model is drawn, from its own coordinates to those of the scene.
   void setPose(const Pose& T_scene_model);
   void setVisible(bool surface, bool boundary);
@@ -31,7 +32,7 @@ class ModelLayer {
   vtkSmartPointer<vtkActor> coarse_;
   vtkSmartPointer<vtkActor> boundary_;
   ModelColouring colouring_ = ModelColouring::Plain;
-  std::size_t views_ = 0;
+  std::vector<int> stands_;
   bool surfaceVisible_ = true;
   bool boundaryVisible_ = true;
   bool moving_ = false;

@@ -5,8 +5,8 @@
 
 namespace vantage {
 
-/// What the model's surface is coloured by; the last: the colours that its scans saw.
-enum class ModelColouring : std::uint8_t { Plain, Confidence, View, Age, Colours };
+/// What the model's surface is coloured by: by Stand that in which it was seen first, by Colours what its scans saw.
+enum class ModelColouring : std::uint8_t { Plain, Confidence, View, Age, Colours, Stand };
 
 /// What void patches are coloured by.
 enum class VoidColouring : std::uint8_t { EdgeClass, State };

@@ -1,8 +1,21 @@
 #include "layers/view_snapshot.h"
 
+#include <algorithm>
+
 #include "acquisition/further_scan.h"
 
 namespace vantage {
+
+std::vector<int> standsOf(const std::vector<View>& views) {
+  std::vector<int> stands;
+  for (const View& view : views) stands.push_back(view.image->station.stand);
+  return stands;
+}
+
+bool haveStands(const std::vector<View>& views) {
+  return std::any_of(views.begin(), views.end(),
+                     [&](const View& v) { return v.image->station.stand != views.front().image->station.stand; });
+}
 
 SharedSnapshot makeSnapshot(std::shared_ptr<const AcquisitionState> state,
                             std::shared_ptr<const ScannerImages> scannerImages,

@@ -33,6 +33,11 @@ struct ViewSnapshot {
   [[nodiscard]] std::optional<int> foremost() const { return next ? next : table; }
 };
 
+/// In which stands views were taken, one for each.
+[[nodiscard]] std::vector<int> standsOf(const std::vector<View>& views);
+/// Whether they were taken in more than one.
+[[nodiscard]] bool haveStands(const std::vector<View>& views);
+
 using SharedSnapshot = std::shared_ptr<const ViewSnapshot>;
 
 /// A snapshot of a state with its plan. The table stands where the state's last scan was taken.

@@ -3,6 +3,7 @@
 #include <QCoreApplication>
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "acquisition/stand_composites.h"
 #include "scanner/table_turn.h"
@@ -91,6 +92,17 @@ KeyLegend viewLegend(const std::vector<View>& views) {
   return legend;
 }
 
+KeyLegend standLegend(const std::vector<View>& views) {
+  std::map<int, int> counts;
+  for (const int stand : standsOf(views)) ++counts[stand];
+  KeyLegend legend{Text::tr("Surface by stand"), {}};
+  for (const auto& [stand, count] : counts)
+    legend.entries.push_back(
+        {toColour(standColour(stand)),
+         count == 1 ? Text::tr("stand %1, 1 view").arg(stand) : Text::tr("stand %1, %2 views").arg(stand).arg(count)});
+  return legend;
+}
+
 // What the grey of a model is whose scans saw colours only here and there; nothing to say where they did everywhere.
 std::optional<KeyLegend> coloursLegend(const VertexColours& colours) {
   if (countColourless(colours) == 0) return std::nullopt;
@@ -159,11 +171,14 @@ void ModelScene::highlight(const std::vector<std::uint32_t>& patches) {
 }
 
 ModelColouring ModelScene::colouring() const {
-  return geometry_ ? geometry_->shown(options_.colouring) : options_.colouring.value_or(ModelColouring::Plain);
+  const ModelColouring wanted =
+      geometry_ ? geometry_->shown(options_.colouring) : options_.colouring.value_or(ModelColouring::Plain);
+  const bool isOne = wanted == ModelColouring::Stand && !(snapshot_ && haveStands(snapshot_->views));
+  return isOne ? ModelColouring::Plain : wanted;
 }
 
 void ModelScene::update() {
-  model_.set(geometry_, colouring(), snapshot_ ? snapshot_->views.size() : 0);
+  model_.set(geometry_, colouring(), snapshot_ ? standsOf(snapshot_->views) : std::vector<int>());
   model_.setVisible(options_.surface, options_.boundary);
   voids_.set(snapshot_ ? snapshot_->plan : nullptr, options_.voidColouring);
   voids_.setVisible(options_.voidPatches);
@@ -236,6 +251,7 @@ Overlay ModelScene::overlay() const {
     overlay.legends.emplace_back(
         ScaleLegend{Text::tr("Confidence"), Text::tr("cos of the angle"), 0.0, 1.0, ColourMap::Cividis});
   if (options_.surface && colouring() == ModelColouring::View) overlay.legends.emplace_back(viewLegend(views));
+  if (options_.surface && colouring() == ModelColouring::Stand) overlay.legends.emplace_back(standLegend(views));
   if (options_.surface && colouring() == ModelColouring::Colours && geometry_)
     if (const auto legend = coloursLegend(geometry_->colours)) overlay.legends.emplace_back(*legend);
   if (options_.surface && colouring() == ModelColouring::Age)

@@ -57,7 +57,7 @@ void PositionalScene::update() {
   field_ = snapshot_ ? cellField(*snapshot_, options_) : std::nullopt;
   const bool known = snapshot_ && snapshot_->scannerImages;
   layer_.set(known ? &snapshot_->scannerImages->grid() : nullptr, field_ ? &*field_ : nullptr);
-  model_.set(geometry_, ModelColouring::Plain, 0);
+  model_.set(geometry_, ModelColouring::Plain, {});
   outline();
 }
 
