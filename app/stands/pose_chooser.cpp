@@ -13,7 +13,7 @@ namespace vantage {
 namespace {
 
 constexpr QSize kIcon(132, 100);
-constexpr int kListWidth = 376;
+constexpr int kListWidth = 400;
 
 // Its colours stay as they are when it is chosen.
 QIcon iconOf(const QPixmap& pixmap) {
