@@ -120,8 +120,6 @@ class SessionController final : public QObject {
   [[nodiscard]] const SharedState& now() const { return present_.state(); }
   /// How to turn the table from where it stands; nothing without turntable or position.
   [[nodiscard]] std::optional<TurnAdvice> turnTo(int position) const;
-  /// A command that needs no scan: carried out beside the window, as a step of the session.
-  void change(const Command& command);
   void undo();
   void redo();
   /// Undoes all that was done after a moment.

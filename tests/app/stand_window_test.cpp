@@ -67,12 +67,12 @@ TEST(StandWindow, AligningIsStoppedAtOnceAndGoesOnWhenItIsAskedAgain) {
   for (const int moment : {50, 300, 900}) {
     me.click("searchPoses");
     QTest::qWait(moment);
+    if (me.stand().alignment) break;  // it was faster
     const testing::Stopwatch watch;
     QTest::keyClick(me.dialog(), Qt::Key_Escape);
     ASSERT_TRUE(me.waitUntilIdle());
     EXPECT_LE(watch.milliseconds(), kLongestCancel) << "stopped after " << moment << " ms";
     ASSERT_TRUE(me.dialog() && me.dialog()->isVisible());
-    if (me.stand().alignment) break;  // it was faster
     EXPECT_EQ(me.controller().present().moments().size(), steps);
   }
   if (!me.stand().alignment) me.click("searchPoses");

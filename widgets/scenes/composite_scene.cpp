@@ -104,9 +104,11 @@ Overlay CompositeScene::overlay() const {
 std::optional<Vec3> CompositeScene::pick(const SightLine& line) const {
   const auto onObject = object_.meets(line.origin, line.direction);
   const auto onStand = stand_.meets(line.origin, line.direction);
-  if (!onObject || !onStand) return onObject ? onObject : onStand;
+  if (!onStand) return onObject;
+  if (object_.geometry() == nullptr) return onStand;
   // Both are shown: in coordinates of the scene, which are the object's.
   const Vec3 other = stand_.toScene(*onStand);
+  if (!onObject) return other;
   return (*onObject - line.origin).squaredNorm() <= (other - line.origin).squaredNorm() ? *onObject : other;
 }
 
