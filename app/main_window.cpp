@@ -57,6 +57,7 @@ MainWindow::MainWindow(const WindowParts& parts, const Preferences& preferences,
       timeLine_(new TimeLine(parts.controller)),
       jobs_(new JobPanel(parts.jobs)),
       log_(new LogPanel) {
+  connect(standDesk_, &StandDesk::comparisonWanted, this, [this] { compareStands(standDesk_->stand()); });
   setTabPosition(Qt::RightDockWidgetArea, QTabWidget::North);
   setDockOptions(AnimatedDocks | AllowTabbedDocks | AllowNestedDocks);
   setCentralWidget(&views_->model());

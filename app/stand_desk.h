@@ -62,7 +62,8 @@ class StandDesk final : public QObject {
  signals:
   void prospectChanged();
   void sentenceChanged();
-  void turned();  ///< a stand was begun
+  void turned();            ///< a stand was begun
+  void comparisonWanted();  ///< the operator asks to see how the stand of now may lie in the object
 
  private:
   void refresh();

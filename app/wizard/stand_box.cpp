@@ -14,6 +14,9 @@ StandBox::StandBox(SessionController& controller, StandDesk& desk, QWidget* pare
       sentence_(makeLabel({})),
       align_(makeButton(tr("A&lign now"), QStringLiteral("alignNow"),
                         tr("Find out how the object stands from what has been scanned of it so far."))),
+      compare_(
+          makeButton(tr("Compare &poses…"), QStringLiteral("comparePoses"),
+                     tr("See the stand over the object in every pose that was found, choose one, or pick points."))),
       turn_(makeButton(tr("T&urn again…"), QStringLiteral("turnAgain"),
                        tr("Put the object on another side. The scans of this stand are kept, and tried again then."))),
       back_(makeButton({}, QStringLiteral("backToOneStand"),
@@ -25,10 +28,12 @@ StandBox::StandBox(SessionController& controller, StandDesk& desk, QWidget* pare
   auto* buttons = new QGridLayout;
   buttons->addWidget(align_, 0, 0);
   buttons->addWidget(turn_, 0, 1);
-  buttons->addWidget(back_, 1, 0, 1, 2);
+  buttons->addWidget(compare_, 1, 0, 1, 2);
+  buttons->addWidget(back_, 2, 0, 1, 2);
   column->addLayout(buttons);
   sentence_->setObjectName(QStringLiteral("standSentence"));
   connect(align_, &QPushButton::clicked, &desk, &StandDesk::align);
+  connect(compare_, &QPushButton::clicked, &desk, &StandDesk::comparisonWanted);
   connect(turn_, &QPushButton::clicked, this, &StandBox::turnWanted);
   connect(back_, &QPushButton::clicked, &desk, &StandDesk::goBack);
   connect(&desk, &StandDesk::sentenceChanged, this, &StandBox::refresh);
@@ -41,9 +46,11 @@ void StandBox::refresh() {
   sentence_->setText(desk_.sentence());
   setRole(*sentence_, desk_.failedToAlign() ? "warning" : "");
   align_->setVisible(desk_.isOpen());
+  compare_->setVisible(desk_.failedToAlign());
   back_->setText(desk_.stand() == 1 ? tr("Back to &one stand") : tr("Back to %1 st&ands").arg(desk_.stand()));
   back_->setAccessibleName(QString(back_->text()).remove(QLatin1Char('&')));
   allow(*align_, desk_.whyNotAlign());
+  allow(*compare_, desk_.whyNotAlign());
   allow(*turn_, desk_.whyNotTurn());
   allow(*back_, desk_.whyNotGoBack());
 }

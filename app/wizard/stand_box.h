@@ -27,6 +27,7 @@ class StandBox final : public QWidget {
   StandDesk& desk_;
   QLabel* sentence_;
   QPushButton* align_;
+  QPushButton* compare_;
   QPushButton* turn_;
   QPushButton* back_;
 };

@@ -12,7 +12,7 @@ namespace {
 // Poses are refined that might become possible: with so many times the contradiction that a possible one may have.
 constexpr double kMightBe = 5.0;
 // A surface is the same after a motion when so much of it lies on itself.
-constexpr double kSameOverlap = 0.5;
+constexpr double kSameOverlap = 0.85;
 
 class Alignment {
  public:

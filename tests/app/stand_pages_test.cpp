@@ -22,6 +22,7 @@
 #include "screenshots/painted_text.h"
 #include "screenshots/screenshot.h"
 #include "stand_text.h"
+#include "stands/stand_dialog.h"
 #include "wizard/device_editor.h"
 #include "wizard/stand_box.h"
 #include "wizard/stand_sides.h"
@@ -142,6 +143,31 @@ TEST_F(StandPages, AWholeJobInTwoStands) {
   EXPECT_EQ(controller_.now()->scans.size(), first->scans.size());
   EXPECT_TRUE(strip().accessibleDescription().contains("Stand 1 · aligned (undone)"));
   look("back");
+}
+
+TEST_F(StandPages, PosesAreComparedWhereTheStandIsNotInPlace) {
+  window_.resize(1280, 800);
+  window_.show();
+  window_.findChild<QSpinBox*>("max_views")->setValue(1);
+  window_.findChild<QLineEdit*>("folder")->setText(folder_.path());
+  window_.wizard().goOn();
+  window_.wizard().goOn();
+  settle();
+  click("run");
+  window_.wizard().goTo(QStringLiteral("turn_over"));
+  settle();
+  click("turned");
+  const auto* compare = window_.findChild<QPushButton*>("comparePoses");
+  EXPECT_FALSE(compare->isVisible()) << "nothing was tried yet";
+  click("step");
+  window_.wizard().goTo(QStringLiteral("acquire"));
+  settle();
+  ASSERT_FALSE(controller_.now()->stands[1].T_object_table) << "one view of either side";
+  look("not_in_place");
+  click("comparePoses");
+  const auto* dialog = window_.findChild<StandDialog*>();
+  ASSERT_TRUE(dialog);
+  EXPECT_TRUE(dialog->isVisible());
 }
 
 // The same with real devices: the scanner sees what stands there, whoever put it so.
