@@ -67,7 +67,7 @@ Phrase phraseFor(const PlaceStand& command) {
   return words("Stand %1 placed", {asIs(std::to_string(command.stand))});
 }
 Phrase phraseFor(const AlignStand& command) {
-  return words("Stand %1 aligned", {asIs(std::to_string(command.stand))});
+  return words("Alignment of stand %1", {asIs(std::to_string(command.stand))});
 }
 Phrase phraseFor(const ChooseStandPose& command) {
   return words("Pose %1 chosen for stand %2",
