@@ -174,7 +174,8 @@ Phrase phraseOf(const StandAlignment& alignment) {
       return alignment.sameSurface ? words("%1 poses are possible, and all leave the same surface", {figure(value)})
                                    : words("%1 poses are possible", {figure(value)});
     case AlignmentReason::Contradiction:
-      return words("scans contradict %1 % of the surface in the best pose", {figure(100.0 * value, 1)});
+      return words("%1 % of the surface cannot be there in the best pose, or should have been seen and was not",
+                   {figure(100.0 * value, 1)});
     case AlignmentReason::TooLittleOverlap:
       return words("only %1 % of the surface is in common", {figure(100.0 * value)});
     case AlignmentReason::BentComposite:

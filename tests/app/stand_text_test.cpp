@@ -49,12 +49,14 @@ TEST(StandText, SaysWhatAStandIsToTheObject) {
 TEST(StandText, SaysWhatCameOfAligning) {
   EXPECT_EQ(sentence(kUntried), "Stand 1 is a model of its own: it is not put together with the object yet.");
   EXPECT_EQ(sentence(kTwoPoses), "Stand 1 is not aligned, the scans leave it open: 2 poses are possible.");
-  EXPECT_EQ(sentence(kFailed), "Stand 1 could not be aligned: scans contradict 5.0 % of the surface in the best pose.");
+  EXPECT_EQ(sentence(kFailed),
+            "Stand 1 could not be aligned: 5.0 % of the surface cannot be there in the best pose, or should have been "
+            "seen and was not.");
   EXPECT_EQ(sentence(used(kGood, PoseChoice::Evidence)),
             "Stand 1 is aligned: one pose is possible, with 40 % of the surface in common.");
   EXPECT_EQ(sentence(used(kFailed, PoseChoice::Despite)),
-            "Stand 1 is in the model although something speaks against it: scans contradict 5.0 % of the surface in "
-            "the best pose.");
+            "Stand 1 is in the model although something speaks against it: 5.0 % of the surface cannot be there in the "
+            "best pose, or should have been seen and was not.");
 }
 
 Moment momentOf(const std::vector<Stand>& stands) {
