@@ -3,7 +3,7 @@
 #include <cstddef>
 
 #include "planning/planning_scene.h"
-#include "planning/sight.h"
+#include "scanner/sight.h"
 #include "void_space/void_patch.h"
 
 namespace vantage {

@@ -10,7 +10,7 @@
 #include "integration/model.h"
 #include "planning/patch_history.h"
 #include "planning/planner_options.h"
-#include "planning/sight.h"
+#include "scanner/sight.h"
 #include "planning/turn_spread.h"
 #include "scanner/profile.h"
 #include "scanner/view.h"
