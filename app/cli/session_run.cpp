@@ -204,6 +204,9 @@ Acquisition::StepObserver SessionRun::observer(PersonAtTable* person) {
     last_ = session_.state();
     if (std::holds_alternative<AddScan>(command)) tellLast(person);
     if (const auto* align = std::get_if<AlignStand>(&command)) context_.note(standLine(*last_, align->stand));
+    if (const auto* reference = std::get_if<TakeReference>(&command))
+      context_.note("the object is known by stand " + std::to_string(reference->stand) +
+                    " from here on: it shows much more of it");
     if (const auto* chosen = std::get_if<ChooseStandPose>(&command)) context_.note(standLine(*last_, chosen->stand));
   };
 }
@@ -297,7 +300,8 @@ void SessionRun::announce() {
     text += "left: " + r["edges"].dump() + " edges (" + number(r["length_mm"].get<double>(), 0) + " mm) " +
             r["reason"].get<std::string>() + "\n";
   if (last_->stand() > 0)
-    for (int stand = 1; stand <= last_->stand(); ++stand) text += standLine(*last_, stand) + "\n";
+    for (int stand = 0; stand <= last_->stand(); ++stand)
+      if (stand != referenceOf(last_->stands)) text += standLine(*last_, stand) + "\n";
   text += "written: " + results_.file("model.ply") + ", " + results_.file("model.stl") + ", " +
           results_.file("report.json") + ", " + session_.path() + "\n";
   context_.result(report_, text, warningsOf(withObject(*last_)));

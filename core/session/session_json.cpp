@@ -111,7 +111,8 @@ std::vector<Stand> standsFromText(const std::string& text, const std::string& wh
   const Json json = jsonObject(text, what);
   const JsonFields fields(json, what);
   std::vector<Stand> stands;
-  for (const Json& stand : fields.list("stands")) stands.push_back(standFrom(stand, what));
+  for (const Json& stand : fields.list("stands"))
+    stands.push_back(standFrom(stand, static_cast<int>(stands.size()), what));
   if (stands.empty()) fields.fail("stands");
   return stands;
 }

@@ -157,6 +157,7 @@ void addStand(ContentHash& hash, const Stand& stand) {
   hash.add(stand.T_object_table.has_value());
   if (stand.T_object_table) addPose(hash, *stand.T_object_table);
   if (stand.down) addPoint(hash, *stand.down);
+  if (stand.reference != 0) hash.add(stand.reference);
   if (stand.alignment) addAlignment(hash, *stand.alignment);
 }
 
