@@ -50,7 +50,7 @@ TEST(FreeSpace, LevelsOnTheSurfaceAreItsDistance) {
 
 // Beside the sphere rays of one view met nothing, which may also be surface too steep for it; two views agree.
 TEST(FreeSpace, RaysThatMeasuredNothingFreeWhereTheyCross) {
-  const Vec3 beside = testing::sphereCentre() + Vec3(0, testing::kSphereRadius + 3.0, 0);
+  const Vec3 beside = testing::sphereCentre() + Vec3(0, testing::kSphereRadius + 6.0, 0);
   const FreeSpace one = carved(testing::ScannedSphere({0}), {.side = 4.0});
   const std::size_t inOne = voxelAt(one.grid, beside);
   EXPECT_EQ(one.state[inOne], VoxelState::Unseen);
