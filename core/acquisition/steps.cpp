@@ -221,6 +221,9 @@ PlanInput planInputOf(const AcquisitionState& state) {
     if (scan->station().stand == state.stand() && scan->station().position)
       input.taken.push_back(*positionTaken(state, *scan));
   if (const KeptScan* last = lastView(state, state.stand())) input.current = positionTaken(state, *last);
+  for (const KeptScan* scan : scansOf(state, ScanStatus::In))
+    if (const auto& predicted = scan->record.predicted; predicted && predicted->uncorrected)
+      input.ledger.push_back({*predicted->uncorrected, scan->record.newArea});
   // Whoever made the last move makes the next one.
   if (!state.scans.empty()) input.mechanics = state.scans.back().view.image->poseUncertainty;
   return input;
