@@ -134,7 +134,8 @@ void ReviewPage::toggle() {
 void ReviewPage::refresh() {
   // The scan that was chosen stays so.
   const QTableWidgetItem* chosen = views_->selectedItems().isEmpty() ? nullptr : views_->item(views_->currentRow(), 0);
-  const auto scan = chosen == nullptr ? std::nullopt : std::optional(chosen->data(kScanRole).toLongLong());
+  const bool isChosen = chosen != nullptr;
+  const std::int64_t scan = isChosen ? chosen->data(kScanRole).toLongLong() : 0;
   figures_->clear();
   left_->clear();
   {
@@ -164,7 +165,7 @@ void ReviewPage::refresh() {
   if (!own.isEmpty()) addObject(*figures_, *now);
   refreshLeft(*now);
   refreshViews(*now);
-  if (scan) select(*scan);
+  if (isChosen) select(scan);
   emit changed();
 }
 

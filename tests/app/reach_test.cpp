@@ -102,9 +102,11 @@ INSTANTIATE_TEST_SUITE_P(Screens, Reach,
                                            Screen{{1024, 740}, 12.0}, Screen{{1024, 740}, 16.0},
                                            Screen{{1920, 1050}, 16.0}, Screen{{3840, 2100}, 9.0}),
                          [](const auto& p) {
-                           return "w" + std::to_string(p.param.size.width()) + "h" +
-                                  std::to_string(p.param.size.height()) + "pt" +
-                                  std::to_string(static_cast<int>(p.param.points));
+                           return QStringLiteral("w%1h%2pt%3")
+                               .arg(p.param.size.width())
+                               .arg(p.param.size.height())
+                               .arg(p.param.points)
+                               .toStdString();
                          });
 
 TEST_P(Reach, EveryPageFits) {
