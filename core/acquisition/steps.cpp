@@ -19,13 +19,12 @@ namespace vantage {
 namespace {
 
 // How firmly a view is held of which nobody knows where it is: surfaces that hold it are many times firmer.
-constexpr Mechanics kLooseHold{radians(0.5), 1.5};
+constexpr Mechanics kLooseHold{radians(2.0), 5.0};
 
-// Loose views stay about where they were registered, far as that may be from where they were asked for: along what holds
-// them too little noise alone would move them, the farther the more views there are.
+// Loose views stay about where they were registered: along what holds them too little noise alone would move them, the
+// farther the more views there are.
 void tieLooseViews(const AcquisitionState& state, std::vector<PoseTie>& ties) {
   const std::vector<const KeptScan*> scans = scansOf(state, ScanStatus::In);
-  std::erase_if(ties, [&](const PoseTie& tie) { return isLoose(*scans[tie.to]); });
   for (std::size_t i = 1; i < scans.size(); ++i) {
     if (!isLoose(*scans[i])) continue;
     const Pose T_from_to = scans[0]->view.T_object_scanner.inverse() * scans[i]->record.registration.T_object_scanner;
