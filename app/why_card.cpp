@@ -63,8 +63,13 @@ QString planVerdict(const Explanation& why, bool planHolds) {
 }
 
 void addVoid(WhyCard& card, const Explanation& why) {
-  card.figures.push_back({Text::tr("Would show (void, o_v)"), areaText(why.promise),
-                          Text::tr("more than F = %1 is worth a scan").arg(areaText(why.terminationThreshold))});
+  const bool probe = why.forecast && why.forecast->probing && why.constraint == Constraint::Chosen;
+  const QString threshold = areaText(why.terminationThreshold);
+  card.figures.push_back(
+      {why.forecast ? Text::tr("New surface, as forecast (o_v)") : Text::tr("Would show (void, o_v)"),
+       areaText(why.promise),
+       probe ? Text::tr("less than F = %1: a probe, as the last scan showed more").arg(threshold)
+             : Text::tr("more than F = %1 is worth a scan").arg(threshold)});
   if (why.tracedVoidArea)
     card.figures.push_back(
         {Text::tr("by positional space"), areaText(why.voidArea), Text::tr("before following the scanner's rays")});

@@ -117,8 +117,8 @@ QString voidPatchesText(std::size_t count) {
                     : Text::tr("%1 unseen edges").arg(shortNumber(static_cast<double>(count)));
 }
 
-QString titleOf(std::size_t views, int composite) {
-  if (composite != kObjectComposite)
+QString titleOf(std::size_t views, int composite, bool isObject) {
+  if (!isObject)
     return views == 1 ? Text::tr("Stand %1 alone after 1 view").arg(composite)
                       : Text::tr("Stand %1 alone after %2 views").arg(composite).arg(views);
   return views == 1 ? Text::tr("Model after 1 view") : Text::tr("Model after %1 views").arg(views);
@@ -255,6 +255,7 @@ Overlay ModelScene::overlay() const {
   const auto& state = *snapshot_->state;
   const std::vector<View>& views = snapshot_->views;
   const int composite = compositeInWork(state);
+  const bool isObject = composite == objectComposite(state);
   if (isBefore()) {
     overlay.notes << Text::tr("Before the first scan");
     if (snapshot_->proposed()) overlay.notes << Text::tr("The scanner at position %1").arg(*snapshot_->proposed());
@@ -263,13 +264,13 @@ Overlay ModelScene::overlay() const {
     return overlay;
   }
   if (views.empty()) {
-    overlay.notes << (composite == kObjectComposite ? Text::tr("No view taken yet")
-                                                    : Text::tr("No view of stand %1 taken yet").arg(composite));
+    overlay.notes << (isObject ? Text::tr("No view taken yet")
+                               : Text::tr("No view of stand %1 taken yet").arg(composite));
     if (!state.aside.empty()) overlay.notes << Text::tr("The object is set aside meanwhile");
     return overlay;
   }
-  overlay.notes << titleOf(views.size(), composite);
-  if (composite != kObjectComposite) overlay.notes << Text::tr("Not put together with the object yet");
+  overlay.notes << titleOf(views.size(), composite, isObject);
+  if (!isObject) overlay.notes << Text::tr("Not put together with the object yet");
   if (state.model)
     overlay.notes << Text::tr("%1 triangles").arg(shortNumber(static_cast<double>(state.model->mesh.triangles.size())));
   if (snapshot_->plan && snapshot_->plan->voids)
