@@ -71,6 +71,10 @@ MainWindow::MainWindow(const WindowParts& parts, const Preferences& preferences,
   addDocks();
   // After the docks: whoever goes by the keyboard comes by the page first.
   setCentralWidget(&views_->model());
+  auto* guide = findChild<QDockWidget*>(QStringLiteral("wizardDock"));
+  resizeDocks({guide, docks_[0]}, {340, 350}, Qt::Horizontal);
+  resizeDocks({docks_[0], docks_[3]}, {300, 340}, Qt::Vertical);
+  resizeDocks({docks_[4]}, {96}, Qt::Vertical);
   addMenus();
   connectController();
   statusBar()->addWidget(jobs_, 1);
@@ -117,9 +121,6 @@ void MainWindow::addDocks() {
   line->raise();
   sides_ = new SideDocks(*this, {objective, space, map, why});
   docks_ = {objective, space, map, why, line, log};
-  resizeDocks({guide, objective}, {340, 350}, Qt::Horizontal);
-  resizeDocks({objective, why}, {300, 340}, Qt::Vertical);
-  resizeDocks({line}, {96}, Qt::Vertical);
 }
 
 QAction* MainWindow::addAction(QMenu& menu, const QString& text, const QKeySequence& shortcut,

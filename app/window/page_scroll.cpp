@@ -1,6 +1,8 @@
 #include "window/page_scroll.h"
 
-#include <QEvent>
+#include <QApplication>
+#include <QKeyEvent>
+#include <utility>
 
 namespace vantage {
 
@@ -8,13 +10,13 @@ PageScroll::PageScroll(QWidget* page, QWidget* parent) : QScrollArea(parent) {
   setWidgetResizable(true);
   setFrameShape(QFrame::NoFrame);
   setWidget(page);
+  qApp->installEventFilter(this);
 }
 
-// Qt asks this of a widget that is disabled or hidden while it has the keyboard, too.
+// Qt asks this also of a widget that is about to be disabled or hidden while it has the keyboard.
 bool PageScroll::focusNextPrevChild(bool next) {
   QWidget* focused = window()->focusWidget();
-  const bool asked = focused == nullptr || (focused->isEnabled() && focused->isVisible());
-  if (asked) return QScrollArea::focusNextPrevChild(next);
+  if (std::exchange(tabbing_, false) || focused == nullptr) return QScrollArea::focusNextPrevChild(next);
   waitFor(focused);
   return false;
 }
@@ -26,6 +28,12 @@ void PageScroll::waitFor(QWidget* widget) {
 }
 
 bool PageScroll::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::KeyPress) {
+    const int key = static_cast<const QKeyEvent*>(event)->key();
+    tabbing_ = key == Qt::Key_Tab || key == Qt::Key_Backtab;
+  } else if (event->type() == QEvent::MouseButtonPress) {
+    tabbing_ = false;
+  }
   const bool again = watched == disabled_ && (event->type() == QEvent::EnabledChange || event->type() == QEvent::Show);
   if (again && disabled_->isEnabled() && disabled_->isVisible()) {
     QWidget* widget = disabled_;

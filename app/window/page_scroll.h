@@ -21,6 +21,7 @@ class PageScroll final : public QScrollArea {
  private:
   void waitFor(QWidget* widget);
 
+  bool tabbing_ = false;        ///< a key asked for the next or the last one
   QPointer<QWidget> disabled_;  ///< had the keyboard when it was disabled
 };
 
