@@ -88,7 +88,7 @@ std::vector<std::uint32_t> splitBowTies(Mesh& mesh) {
   std::vector<std::uint32_t> origins;
   const auto count = static_cast<std::uint32_t>(mesh.vertices.size());
   for (std::uint32_t v = 0; v < count; ++v) {
-    if (topology.onBoundary()[v] == 0 || topology.trianglesOf(v).size() < 2) continue;
+    if (topology.trianglesOf(v).size() < 2) continue;
     const auto fans = fansAt(mesh, topology, v);
     for (std::size_t f = 1; f < fans.size(); ++f) {
       const auto added = static_cast<std::uint32_t>(mesh.vertices.size());

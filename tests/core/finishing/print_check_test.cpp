@@ -47,6 +47,9 @@ TEST(PrintCheck, NamesEveryFault) {
     for (std::uint32_t& v : t)
       if (touching.vertices[v] == Vec3(1, 1, 1)) v = top;
   EXPECT_EQ(checkForPrint(touching).faults, (std::vector{PrintFault::BowTies, PrintFault::Pieces}));
+  const RepairedSurface apart = repairForPrint(touching);
+  EXPECT_EQ(apart.split, 1U);
+  EXPECT_EQ(checkForPrint(apart.mesh).faults, (std::vector{PrintFault::Pieces}));
 }
 
 TEST(PrintCheck, RepairTurnsSplitsAndDropsButInventsNothing) {
