@@ -71,8 +71,10 @@ void PackedMember::write(std::string_view text) {
 }
 
 void PackedMember::pack(std::string_view text, bool last) {
-  checksum_ =
-      static_cast<std::uint32_t>(::crc32_z(checksum_, reinterpret_cast<const Bytef*>(text.data()), text.size()));
+  // Without bytes zlib would begin the sum anew.
+  if (!text.empty())
+    checksum_ =
+        static_cast<std::uint32_t>(::crc32_z(checksum_, reinterpret_cast<const Bytef*>(text.data()), text.size()));
   unpacked_ += text.size();
   z_stream& zlib = stream_->zlib;
   // zlib does not write to its input.
