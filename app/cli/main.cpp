@@ -37,6 +37,7 @@ int run(int argc, char** argv) {
   vantage::addStepCommand(app, context);
   vantage::addTakeCommand(app, context);
   vantage::addExportCommand(app, context);
+  vantage::addMeasureCommand(app, context);
   vantage::addInfoCommand(app, context);
   vantage::addEvaluateCommand(app, context);
   vantage::addRenderCommand(app, context);

@@ -7,6 +7,7 @@
 #include <OpenMesh/Tools/Decimater/ModNormalFlippingT.hh>
 #include <OpenMesh/Tools/Decimater/ModQuadricT.hh>
 #include <limits>
+#include <numeric>
 #include <vector>
 
 #include "base/errors.h"
@@ -21,6 +22,12 @@ struct MeshTraits : OpenMesh::DefaultTraits {
 
 class OpenMeshMesh : public OpenMesh::TriMesh_ArrayKernelT<MeshTraits> {
  public:
+  OpenMeshMesh() { add_property(origin_); }
+
+  // The vertex of the input that a vertex is.
+  [[nodiscard]] std::uint32_t origin(VertexHandle v) const { return property(origin_, v); }
+  void setOrigin(VertexHandle v, std::uint32_t origin) { property(origin_, v) = origin; }
+
   // Whether collapsing from v0 to v1 keeps the mesh manifold. Stands in front of OpenMesh's own test, which lives in
   // its library and there, with the assertions Debian builds it with, takes two thirds of a decimation.
   bool is_collapse_ok(HalfedgeHandle v0v1) {  // NOLINT(readability-identifier-naming): OpenMesh calls it so
@@ -68,6 +75,7 @@ class OpenMeshMesh : public OpenMesh::TriMesh_ArrayKernelT<MeshTraits> {
   }
 
   std::vector<VertexHandle> ringOf_;
+  OpenMesh::VPropHandleT<std::uint32_t> origin_;
 };
 
 using Decimater = OpenMesh::Decimater::DecimaterT<OpenMeshMesh>;
@@ -153,7 +161,10 @@ OpenMeshMesh toOpenMesh(const Mesh& mesh) {
   result.request_edge_status();
   result.request_halfedge_status();
   result.request_face_status();
-  for (const Vec3& v : mesh.vertices) result.add_vertex({v.x(), v.y(), v.z()});
+  for (const Vec3& v : mesh.vertices) {
+    const auto added = result.add_vertex({v.x(), v.y(), v.z()});
+    result.setOrigin(added, static_cast<std::uint32_t>(added.idx()));
+  }
   using Handle = OpenMeshMesh::VertexHandle;
   for (const Triangle& t : mesh.triangles) {
     if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) continue;
@@ -162,12 +173,14 @@ OpenMeshMesh toOpenMesh(const Mesh& mesh) {
   return result;
 }
 
-Mesh fromOpenMesh(const OpenMeshMesh& source) {
-  Mesh mesh;
+DecimatedMesh fromOpenMesh(const OpenMeshMesh& source) {
+  DecimatedMesh result;
+  Mesh& mesh = result.mesh;
   mesh.vertices.reserve(source.n_vertices());
   for (const auto v : source.vertices()) {
     const OpenMesh::Vec3d& p = source.point(v);
     mesh.vertices.emplace_back(p[0], p[1], p[2]);
+    result.vertexOf.push_back(source.origin(v));
   }
   mesh.triangles.reserve(source.n_faces());
   for (const auto f : source.faces()) {
@@ -176,7 +189,22 @@ Mesh fromOpenMesh(const OpenMeshMesh& source) {
     for (const auto v : source.fv_range(f)) t[k++] = static_cast<std::uint32_t>(v.idx());
     mesh.triangles.push_back(t);
   }
-  return mesh;
+  return result;
+}
+
+// Drops vertices that no triangle uses.
+void dropUnused(DecimatedMesh& result) {
+  const std::vector<std::uint32_t> place = removeUnusedVertices(result.mesh);
+  std::size_t kept = 0;
+  for (std::size_t v = 0; v < place.size(); ++v)
+    if (place[v] != kNoIndex) result.vertexOf[kept++] = result.vertexOf[v];
+  result.vertexOf.resize(kept);
+}
+
+DecimatedMesh asItIs(const Mesh& mesh) {
+  DecimatedMesh result{mesh, std::vector<std::uint32_t>(mesh.vertices.size())};
+  std::iota(result.vertexOf.begin(), result.vertexOf.end(), 0U);
+  return result;
 }
 
 void lockBoundary(OpenMeshMesh& mesh) {
@@ -191,9 +219,13 @@ void lockBoundary(OpenMeshMesh& mesh) {
 }  // namespace
 
 Mesh decimate(const Mesh& mesh, const DecimationOptions& options, const Progress& progress) {
+  return decimateKnowing(mesh, options, progress).mesh;
+}
+
+DecimatedMesh decimateKnowing(const Mesh& mesh, const DecimationOptions& options, const Progress& progress) {
   progress.checkpoint(0.0);
   validate(mesh);
-  if (mesh.triangles.size() <= options.targetTriangles) return mesh;
+  if (mesh.triangles.size() <= options.targetTriangles) return asItIs(mesh);
   OpenMeshMesh work = toOpenMesh(mesh);
   work.request_face_normals();
   work.update_face_normals();
@@ -215,8 +247,8 @@ Mesh decimate(const Mesh& mesh, const DecimationOptions& options, const Progress
   progress.checkpoint(0.9);
 
   work.garbage_collection();
-  Mesh result = fromOpenMesh(work);
-  removeUnusedVertices(result);
+  DecimatedMesh result = fromOpenMesh(work);
+  dropUnused(result);
   progress.checkpoint(1.0);
   return result;
 }

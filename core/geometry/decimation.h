@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <vector>
 
 #include "base/progress.h"
 #include "geometry/mesh.h"
@@ -21,5 +23,14 @@ struct DecimationOptions {
 /// Deterministic.
 /// @throws InvalidInput when a triangle names a vertex that the mesh does not have; Cancelled.
 [[nodiscard]] Mesh decimate(const Mesh& mesh, const DecimationOptions& options, const Progress& progress = {});
+
+/// A mesh with the vertices of another that it has.
+struct DecimatedMesh {
+  Mesh mesh;
+  std::vector<std::uint32_t> vertexOf;  ///< per vertex: the one of the input that it is
+};
+/// The same, and where its vertices came from.
+[[nodiscard]] DecimatedMesh decimateKnowing(const Mesh& mesh, const DecimationOptions& options,
+                                            const Progress& progress = {});
 
 }  // namespace vantage

@@ -5,7 +5,7 @@
 #include <numeric>
 #include <utility>
 
-#include "io/mesh_orientation.h"
+#include "geometry/mesh_orientation.h"
 
 namespace vantage {
 namespace {

@@ -5,14 +5,17 @@
 #include <bit>
 #include <charconv>
 #include <cstring>
+#include <initializer_list>
 #include <limits>
 #include <string>
 #include <type_traits>
+#include <vector>
 
 #include "base/atomic_file.h"
 #include "base/errors.h"
 #include "io/file_kind.h"
 #include "io/text_scanner.h"
+#include "io/three_mf_writer.h"
 
 namespace vantage {
 namespace {
@@ -25,12 +28,21 @@ constexpr std::size_t kRowsPerCheckpoint = 65536;
 struct Surface {
   const Mesh& mesh;
   const Model* model;
-  Vec3 offset = Vec3::Zero();
-  const VertexColours* colours = nullptr;
+  ExportOptions options = {};
 
-  [[nodiscard]] bool isFar() const { return !offset.isZero(0.0); }
-  [[nodiscard]] bool isColoured() const { return colours != nullptr && !colours->empty(); }
-  [[nodiscard]] Colour colour(std::size_t vertex) const { return (*colours)[vertex].value_or(kGrey); }
+  [[nodiscard]] bool isFar() const { return !options.offset.isZero(0.0); }
+  [[nodiscard]] bool isColoured() const { return !options.colours.empty(); }
+  [[nodiscard]] bool marksInvented() const { return !options.invented.empty(); }
+  [[nodiscard]] Colour colour(std::size_t vertex) const { return options.colours[vertex].value_or(kGrey); }
+  // In the unit of the file.
+  [[nodiscard]] Vec3 inUnit(const Vec3& p) const {
+    return options.unit == LengthUnit::Millimetre ? p : Vec3(p / millimetresIn(options.unit));
+  }
+  [[nodiscard]] Vec3 vertex(std::size_t i) const { return inUnit(mesh.vertices[i]); }
+  [[nodiscard]] Vec3 farVertex(std::size_t i) const { return inUnit(mesh.vertices[i] + options.offset); }
+  [[nodiscard]] std::string unitName() const {
+    return options.unit == LengthUnit::Millimetre ? "millimetres" : "inches";
+  }
 };
 
 void checkIndices(const Mesh& mesh) {
@@ -66,8 +78,8 @@ char* putDoubles(char* at, const Vec3& v) {
   return put(at, std::array<double, 3>{v.x(), v.y(), v.z()});
 }
 
-std::string greyComment(const VertexColours& colours) {
-  const std::size_t grey = countColourless(colours);
+std::string greyComment(std::span<const std::optional<Colour>> colours) {
+  const auto grey = std::count(colours.begin(), colours.end(), std::nullopt);
   if (grey == 0) return {};
   std::string text = "comment no colour was measured at " + std::to_string(grey) + " vertices, which are";
   for (const int channel : kGrey) {
@@ -78,13 +90,14 @@ std::string greyComment(const VertexColours& colours) {
 }
 
 std::string plyHeader(const Surface& surface) {
-  std::string text = "ply\nformat binary_little_endian 1.0\ncomment millimetres\n";
-  if (surface.isColoured()) text += greyComment(*surface.colours);
+  std::string text = "ply\nformat binary_little_endian 1.0\ncomment " + surface.unitName() + "\n";
+  if (surface.isColoured()) text += greyComment(surface.options.colours);
   text += "element vertex " + std::to_string(surface.mesh.vertices.size()) + "\n";
   const std::string real = surface.isFar() ? "double" : "float";
   for (const char* axis : {"x", "y", "z"}) text += "property " + real + " " + axis + "\n";
   if (surface.model != nullptr) text += "property float confidence\n";
   if (surface.isColoured()) text += "property uchar red\nproperty uchar green\nproperty uchar blue\n";
+  if (surface.marksInvented()) text += "property uchar invented\n";
   text += "element face " + std::to_string(surface.mesh.triangles.size()) + "\n";
   text += "property list uchar int vertex_indices\n";
   if (surface.model != nullptr) text += "property int view\n";
@@ -95,12 +108,14 @@ void writePly(const Surface& surface, AtomicFile& file, const Progress& progress
   file.write(plyHeader(surface));
   const Model* model = surface.model;
   const bool coloured = surface.isColoured();
+  const bool marks = surface.marksInvented();
   forRows(surface.mesh.vertices.size(), progress.part(0.0, 0.5), [&](std::size_t i) {
-    const Vec3& vertex = surface.mesh.vertices[i];
-    char* at = file.grow((surface.isFar() ? 24U : 12U) + (model != nullptr ? 4U : 0U) + (coloured ? 3U : 0U));
-    at = surface.isFar() ? putDoubles(at, vertex + surface.offset) : putVector(at, vertex);
+    char* at = file.grow((surface.isFar() ? 24U : 12U) + (model != nullptr ? 4U : 0U) + (coloured ? 3U : 0U) +
+                         (marks ? 1U : 0U));
+    at = surface.isFar() ? putDoubles(at, surface.farVertex(i)) : putVector(at, surface.vertex(i));
     if (model != nullptr) at = put(at, model->confidence[i]);
-    if (coloured) put(at, surface.colour(i));
+    if (coloured) at = put(at, surface.colour(i));
+    if (marks) put(at, surface.options.invented[i]);
   });
   forRows(surface.mesh.triangles.size(), progress.part(0.5, 1.0), [&](std::size_t i) {
     char* at = put(file.grow(model != nullptr ? 17 : 13), std::uint8_t{3});
@@ -112,7 +127,7 @@ void writePly(const Surface& surface, AtomicFile& file, const Progress& progress
 void writeStl(const Surface& surface, AtomicFile& file, const Progress& progress) {
   std::array<char, 80> header{};
   const std::string text =
-      surface.isFar() ? "binary STL, millimetres, without the offset of the scans" : "binary STL, millimetres";
+      "binary STL, " + surface.unitName() + (surface.isFar() ? ", without the offset of the scans" : "");
   std::copy(text.begin(), text.end(), header.begin());
   file.write({header.data(), header.size()});
   const std::size_t count = surface.mesh.triangles.size();
@@ -122,7 +137,7 @@ void writeStl(const Surface& surface, AtomicFile& file, const Progress& progress
   forRows(count, progress, [&](std::size_t i) {
     const Triangle& t = surface.mesh.triangles[i];
     char* at = putVector(file.grow(50), triangleNormal(surface.mesh, t));
-    for (const std::uint32_t v : t) at = putVector(at, surface.mesh.vertices[v]);
+    for (const std::uint32_t v : t) at = putVector(at, surface.vertex(v));
     put(at, std::uint16_t{0});
   });
 }
@@ -135,14 +150,13 @@ void writeObj(const Surface& surface, AtomicFile& file, const Progress& progress
   constexpr std::size_t kMaxLine = 128;
   std::array<char, kMaxLine> line{};
   char* const end = line.data() + line.size();
-  file.write("# millimetres\n");
+  file.write("# " + surface.unitName() + "\n");
   forRows(surface.mesh.vertices.size(), progress.part(0.0, 0.5), [&](std::size_t i) {
     char* at = putText(line.data(), "v");
-    for (int k = 0; k < 3; ++k) {
-      const double value = surface.mesh.vertices[i][k];
+    const Vec3 vertex = surface.isFar() ? surface.farVertex(i) : surface.vertex(i);
+    for (const double value : vertex) {
       at = putText(at, " ");
-      at = surface.isFar() ? std::to_chars(at, end, value + surface.offset[k]).ptr
-                           : std::to_chars(at, end, static_cast<float>(value)).ptr;
+      at = surface.isFar() ? std::to_chars(at, end, value).ptr : std::to_chars(at, end, static_cast<float>(value)).ptr;
     }
     if (surface.isColoured())
       for (const std::uint8_t channel : surface.colour(i))
@@ -158,37 +172,67 @@ void writeObj(const Surface& surface, AtomicFile& file, const Progress& progress
   });
 }
 
+void writeAs3mf(const Surface& surface, AtomicFile& file, const Progress& progress) {
+  std::vector<std::uint8_t> invented;
+  if (surface.marksInvented())
+    for (const std::uint32_t view : surface.model->triangleView) invented.push_back(view == kNoIndex ? 1 : 0);
+  writeThreeMf(surface.mesh, invented, surface.options.unit, file, progress);
+}
+
 void exportSurface(const Surface& surface, const std::string& path, const Progress& progress) {
   checkIndices(surface.mesh);
+  if (surface.options.unit != LengthUnit::Millimetre && surface.options.unit != LengthUnit::Inch)
+    throw InvalidInput("models are written in millimetres or inches");
   const std::string extension = extensionOf(path);
-  if (extension != "ply" && extension != "stl" && extension != "obj")
-    throw InvalidInput(path + ": has the extension " + inQuotes(extension) + ", expected .ply, .stl or .obj");
+  if (extension != "ply" && extension != "stl" && extension != "obj" && extension != "3mf")
+    throw InvalidInput(path + ": has the extension " + inQuotes(extension) + ", expected .ply, .stl, .obj or .3mf");
   AtomicFile file(path);
   if (extension == "ply") writePly(surface, file, progress);
   if (extension == "stl") writeStl(surface, file, progress);
   if (extension == "obj") writeObj(surface, file, progress);
+  if (extension == "3mf") writeAs3mf(surface, file, progress);
   file.commit();
   progress.checkpoint(1.0);
 }
 
+bool isOneOf(const std::string& path, std::initializer_list<std::string_view> extensions) {
+  return std::find(extensions.begin(), extensions.end(), extensionOf(path)) != extensions.end();
+}
+
 }  // namespace
+
+void exportModelAs(const Model& model, const std::string& path, const ExportOptions& options,
+                   const Progress& progress) {
+  const std::size_t vertices = model.mesh.vertices.size();
+  if (model.confidence.size() != vertices || model.triangleView.size() != model.mesh.triangles.size())
+    throw InvalidInput("the model's confidences and views do not match its vertices and triangles");
+  if (!options.colours.empty() && options.colours.size() != vertices)
+    throw InvalidInput("the model has " + std::to_string(options.colours.size()) + " colours for " +
+                       std::to_string(vertices) + " vertices");
+  if (!options.invented.empty() && options.invented.size() != vertices)
+    throw InvalidInput("the model has " + std::to_string(options.invented.size()) + " marks for " +
+                       std::to_string(vertices) + " vertices");
+  exportSurface({model.mesh, &model, options}, path, progress);
+}
 
 void exportModel(const Model& model, const std::string& path, const Progress& progress, const Vec3& offset,
                  const VertexColours& colours) {
-  if (model.confidence.size() != model.mesh.vertices.size() || model.triangleView.size() != model.mesh.triangles.size())
-    throw InvalidInput("the model's confidences and views do not match its vertices and triangles");
-  if (!colours.empty() && colours.size() != model.mesh.vertices.size())
-    throw InvalidInput("the model has " + std::to_string(colours.size()) + " colours for " +
-                       std::to_string(model.mesh.vertices.size()) + " vertices");
-  exportSurface({model.mesh, &model, offset, &colours}, path, progress);
+  ExportOptions options;
+  options.offset = offset;
+  options.colours = colours;
+  exportModelAs(model, path, options, progress);
+}
+
+bool holdsInvented(const std::string& path) {
+  return isOneOf(path, {"ply", "3mf"});
 }
 
 bool holdsOffset(const std::string& path) {
-  return extensionOf(path) != "stl";
+  return !isOneOf(path, {"stl", "3mf"});
 }
 
 bool holdsColours(const std::string& path) {
-  return extensionOf(path) != "stl";
+  return !isOneOf(path, {"stl", "3mf"});
 }
 
 void exportMesh(const Mesh& mesh, const std::string& path, const Progress& progress) {

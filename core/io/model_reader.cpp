@@ -17,6 +17,7 @@ static_assert(std::endian::native == std::endian::little, "binary files are copi
 
 constexpr std::size_t kGrain = 65536;
 constexpr std::size_t kIndexBytes = 12;
+constexpr double kInventedView = -1.0;
 
 // Where a little endian file with rows of constant length has what we look for, in bytes from the row's beginning.
 struct FlatLayout {
@@ -174,10 +175,10 @@ void readViews(const FileBytes& file, const PlyHeader& header, const std::option
     values = scalars(file, {"face", "view"});
   }
   for (std::size_t i = 0; i < values.size(); ++i) {
-    if (!(values[i] >= 0.0 && values[i] < 2147483648.0))
+    if (!(values[i] >= kInventedView && values[i] < 2147483648.0))
       throw InvalidInput(file.path() + ": face " + std::to_string(i) + " has the view " + std::to_string(values[i]) +
-                         ", expected 0 or more");
-    model.triangleView.push_back(static_cast<std::uint32_t>(values[i]));
+                         ", expected 0 or more, or -1 where it is invented");
+    model.triangleView.push_back(values[i] < 0.0 ? kNoIndex : static_cast<std::uint32_t>(values[i]));
   }
 }
 

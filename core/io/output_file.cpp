@@ -46,7 +46,7 @@ bool isRange(const std::string& path) {
 bool isMesh(const std::string& path) {
   const auto kind = knownKind(path);
   if (kind == FileKind::Ply) return !isRange(path);
-  return kind == FileKind::Stl || kind == FileKind::Obj;  // what models are written as
+  return kind == FileKind::Stl || kind == FileKind::Obj || kind == FileKind::ThreeMf;  // what models are written as
 }
 
 bool isPage(const std::string& path) {

@@ -69,6 +69,28 @@ expect 0 "triangles" "$cli" export "$work/run/session.vantage" --out "$work/run/
 expect 0 "open: " "$cli" export "$work/run/session.vantage" --out "$work/run/model.obj"
 expect 0 '"openings": ' "$cli" export "$work/run/session.vantage" --out "$work/run/model.obj" --json
 expect 1 "model.xyz" "$cli" export "$work/run/session.vantage" --out "$work/run/model.xyz"
+expect 1 "cannot be printed as one piece: it has " "$cli" export "$work/run/session.vantage" --printable --out "$work/p.stl"
+[[ ! -e $work/p.stl ]] || { echo "FAIL: a model that cannot be printed was written"; failures=$((failures + 1)); }
+expect 0 '"printable": true' "$cli" export "$work/run/session.vantage" --close-holes all --pieces largest --printable --units inch --out "$work/p.3mf" --json
+expect 0 "p.3mf" "$cli" info "$work/p.3mf"
+expect 0 "mm² of the surface are invented" "$cli" export "$work/run/session.vantage" --close-holes all --out "$work/p.ply"
+grep -qa "property uchar invented" "$work/p.ply" || { echo "FAIL: a closed model does not mark what is invented"; failures=$((failures + 1)); }
+expect 0 "does not tell what is invented" "$cli" export "$work/run/session.vantage" --close-holes all --out "$work/p.stl"
+expect 0 "left open, the widest" "$cli" export "$work/run/session.vantage" --close-holes 0.01 --out "$work/p.stl"
+expect 0 '"error_greatest_mm": 0.0' "$cli" export "$work/run/session.vantage" --error 0.05 --out "$work/p.obj" --json
+expect 0 "measured both ways" "$cli" export "$work/run/session.vantage" --max-triangles 900 --out "$work/p.obj"
+expect 0 "aligned to three points" "$cli" export "$work/run/session.vantage" --align 0,0,10 10,0,10 0,10,10 --out "$work/p.obj"
+expect 1 "on one line" "$cli" export "$work/run/session.vantage" --align 0,0,0 1,0,0 2,0,0 --out "$work/p.obj"
+expect 0 "not closed" "$cli" measure "$work/run/session.vantage" --section 0,0,1,30
+expect 0 '"distance_mm": ' "$cli" measure "$work/run/session.vantage" --points 50,0,30 0,50,30 --plane 0,0,1,0 --json
+expect 0 "circle:  diameter" "$cli" measure "$work/run/session.vantage" --points 50,0,30 0,50,30 -50,0,30
+expect 0 "enclosed with what is invented" "$cli" measure "$work/p.ply"
+expect 1 "need points" "$cli" measure "$work/p.ply" --plane 0,0,1,0
+expect 2 "is no plane" "$cli" measure "$work/p.ply" --section 0,0,0,1
+expect 2 "is no point" "$cli" measure "$work/p.ply" --points 1,2
+for wrong in "--close-holes -1" "--close-holes some" "--pieces 0" "--max-triangles 0" "--error 0" "--error nan" "--units mile"; do
+  expect 2 "" "$cli" export "$work/run/session.vantage" $wrong --out "$work/p.stl"
+done
 expect 0 "covered" "$cli" evaluate "$work/run/session.vantage" --object "$mug" --scanner "$scanner"
 
 # Nothing that is there is lost.

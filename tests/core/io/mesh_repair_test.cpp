@@ -7,7 +7,7 @@
 
 #include "base/errors.h"
 #include "geometry/measures.h"
-#include "io/mesh_orientation.h"
+#include "geometry/mesh_orientation.h"
 #include "support/meshes.h"
 
 namespace vantage {

@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <filesystem>
 #include <limits>
+#include <span>
 
 #include "base/errors.h"
 #include "core/io/expect_error.h"
@@ -11,6 +13,8 @@
 #include "io/file_bytes.h"
 #include "io/mesh_reader.h"
 #include "io/model_reader.h"
+#include "io/ply_document.h"
+#include "io/ply_header.h"
 #include "support/meshes.h"
 #include "support/test_data.h"
 
@@ -96,6 +100,51 @@ TEST(ExportModel, PlyIsByteForByteAsDocumented) {
   expected += '\3';
   for (const int value : {0, 1, 2, 7}) expected.append(reinterpret_cast<const char*>(&value), 4);
   EXPECT_EQ(FileBytes(folder.file("model.ply")).text(), expected);
+}
+
+TEST(ExportModel, WhatIsInventedIsAPropertyOfItsVerticesAndAViewOfItsTriangles) {
+  const TemporaryFolder folder;
+  Model model = makeModel();
+  std::vector<std::uint8_t> invented(model.mesh.vertices.size(), 0);
+  invented[5] = invented[7] = 1;
+  model.triangleView[3] = kNoIndex;
+  ExportOptions options;
+  options.invented = invented;
+  exportModelAs(model, folder.file("model.ply"), options);
+  const PlyHeader header = readPlyHeader(folder.file("model.ply"));
+  EXPECT_NE(header.find("vertex")->find("invented"), nullptr);
+  const FileBytes file(folder.file("model.ply"));
+  const PlySelection selection{"vertex", "invented"};
+  const PlyDocument document = readPlyDocument(file, std::array{selection});
+  EXPECT_EQ(document.find("vertex", "invented")->values, std::vector<double>(invented.begin(), invented.end()));
+  expectSame(readModel(folder.file("model.ply")), model);
+  options.invented = std::span(invented).subspan(1);
+  EXPECT_THROW(exportModelAs(model, folder.file("no.ply"), options), InvalidInput);
+}
+
+TEST(ExportModel, InchesAreInchesInEveryFormat) {
+  const TemporaryFolder folder;
+  const Model model = modelOf(testing::makeBox(Vec3(0, 0, 0), Vec3(25.4, 50.8, 76.2)));
+  ExportOptions options;
+  options.unit = LengthUnit::Inch;
+  for (const char* name : {"model.ply", "model.stl", "model.obj"}) {
+    exportModelAs(model, folder.file(name), options);
+    EXPECT_LT((boundingBox(loadMesh(folder.file(name)).mesh).max - Vec3(1, 2, 3)).norm(), 1e-6) << name;
+    EXPECT_NE(FileBytes(folder.file(name)).text().find("inches"), std::string_view::npos) << name;
+  }
+  exportModelAs(model, folder.file("model.3mf"), options);
+  EXPECT_LT((boundingBox(loadMesh(folder.file("model.3mf")).mesh).max - Vec3(25.4, 50.8, 76.2)).norm(), 1e-5);
+  options.unit = LengthUnit::Metre;
+  EXPECT_THROW(exportModelAs(model, folder.file("model.stl"), options), InvalidInput);
+}
+
+TEST(ExportModel, SaysWhatAFormatHolds) {
+  EXPECT_TRUE(holdsInvented("a.ply"));
+  EXPECT_TRUE(holdsInvented("a.3mf"));
+  EXPECT_FALSE(holdsInvented("a.stl"));
+  EXPECT_FALSE(holdsInvented("a.obj"));
+  EXPECT_FALSE(holdsOffset("a.3mf"));
+  EXPECT_FALSE(holdsColours("a.3mf"));
 }
 
 TEST(ReadModel, ReadsOtherLayoutsOfTheSameContent) {

@@ -1,4 +1,4 @@
-#include "io/mesh_orientation.h"
+#include "geometry/mesh_orientation.h"
 
 #include <algorithm>
 #include <vector>

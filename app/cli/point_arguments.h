@@ -1,0 +1,21 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+#include "geometry/vectors.h"
+#include "measuring/surface_plane.h"
+
+namespace vantage {
+
+/// Checks for arguments of the form X,Y,Z.
+[[nodiscard]] CLI::Validator pointText();
+/// The point of such an argument. @pre pointText accepts it
+[[nodiscard]] Vec3 pointOf(const std::string& text);
+
+/// Checks for arguments of the form NX,NY,NZ,D: a plane of the points p with n . p = d, n of any length.
+[[nodiscard]] CLI::Validator planeText();
+/// The plane of such an argument. @pre planeText accepts it
+[[nodiscard]] SurfacePlane planeOf(const std::string& text);
+
+}  // namespace vantage
