@@ -11,9 +11,11 @@
 namespace vantage {
 namespace {
 
-constexpr std::array<std::array<std::string_view, 2>, 14> kGroups{{{"", "Acquisition"},
+constexpr std::array<std::array<std::string_view, 2>, 16> kGroups{{{"", "Acquisition"},
                                                                    {"simulation", "Simulated scanner"},
                                                                    {"planner", "Planning"},
+                                                                   {"closing", "Predicted surface"},
+                                                                   {"ledger", "Ledger of forecasts"},
                                                                    {"termination", "Termination"},
                                                                    {"history", "What views have looked at"},
                                                                    {"void", "Void patches"},
