@@ -37,6 +37,8 @@ class MainWindow final : public QMainWindow {
   void applyPreferences(const Preferences& preferences);
   /// Shows how a stand that is not in place yet lies in the object; without a number that of the last of them.
   void compareStands(std::optional<int> stand = {});
+  /// Opens a session instead of the one that is open, or says why that cannot be done now.
+  void openSession(const QString& path);
   /// Docks as the operator left them.
   void restoreLayout();
 
@@ -58,12 +60,12 @@ class MainWindow final : public QMainWindow {
   void refreshActions();
   void refreshTitle();
   void openSession();
-  void openSession(const QString& path);
   void importScans(const QStringList& files);
   void say(const QString& why);
   void editSettings();
   void writeReport(const QString& path);
   void resetLayout();
+  void showDiagnostics();
   void showAbout();
 
   WindowParts parts_;
