@@ -65,13 +65,15 @@ void FigureTable::clear() {
   rows_ = 0;
 }
 
-void FigureTable::add(const QString& name, const QString& value, const QString& remark) {
+QLabel* FigureTable::add(const QString& name, const QString& value, const QString& remark) {
+  QLabel* nameLabel = makeLabel(name);
   QLabel* valueLabel = makeLabel(value, "section");
   valueLabel->setWordWrap(false);
   valueLabel->setAlignment(Qt::AlignRight | Qt::AlignTop);
-  grid_->addWidget(makeLabel(name), rows_, 0, Qt::AlignTop);
+  grid_->addWidget(nameLabel, rows_, 0, Qt::AlignTop);
   grid_->addWidget(valueLabel, rows_++, 1, Qt::AlignTop);
   if (!remark.isEmpty()) grid_->addWidget(makeLabel(remark, "muted"), rows_++, 0, 1, 2);
+  return nameLabel;
 }
 
 }  // namespace vantage

@@ -33,7 +33,8 @@ class FigureTable final : public QWidget {
   explicit FigureTable(QWidget* parent = nullptr);
 
   void clear();
-  void add(const QString& name, const QString& value, const QString& remark = {});
+  /// @return the label of the name
+  QLabel* add(const QString& name, const QString& value, const QString& remark = {});
 
  private:
   QGridLayout* grid_;

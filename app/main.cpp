@@ -99,7 +99,7 @@ int main(int argc, char** argv) {
     vantage::tellCrashes(kProgram, crashFolder());
     auto* notice = new vantage::CrashNotice(*crash, &window);
     QObject::connect(notice, &vantage::CrashNotice::sessionWanted, &window,
-                     qOverload<const QString&>(&vantage::MainWindow::openSession));
+                     &vantage::MainWindow::openSession);
     notice->open();
   }
   return QApplication::exec();

@@ -4,7 +4,6 @@
 #include <QCloseEvent>
 #include <QDockWidget>
 #include <QDragEnterEvent>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QMenuBar>
 #include <QMessageBox>
@@ -18,14 +17,18 @@
 #include "diagnostics_dialog.h"
 #include "docks/job_panel.h"
 #include "docks/log_panel.h"
+#include "docks/session_log.h"
 #include "docks/time_line.h"
+#include "outlook_text.h"
 #include "report_pictures.h"
 #include "settings/settings_dialog.h"
 #include "stand_desk.h"
 #include "stand_text.h"
 #include "stands/stand_dialog.h"
+#include "window/fitting.h"
+#include "window/session_door.h"
+#include "window/stop_keys.h"
 #include "window_theme.h"
-#include "wizard/import_dialog.h"
 #include "wizard/next_view_box.h"
 
 namespace vantage {
@@ -57,19 +60,25 @@ MainWindow::MainWindow(const WindowParts& parts, const Preferences& preferences,
       why_(new WhyPanel(*inspector_)),
       timeLine_(new TimeLine(parts.controller)),
       jobs_(new JobPanel(parts.jobs)),
-      log_(new LogPanel) {
+      log_(new LogPanel),
+      door_(new SessionDoor(parts.controller, wizard_->choosePage(), *this)),
+      attention_(new Attention(parts.controller, *this)),
+      notices_(*this) {
   connect(standDesk_, &StandDesk::comparisonWanted, this, [this] { compareStands(standDesk_->stand()); });
   setTabPosition(Qt::RightDockWidgetArea, QTabWidget::North);
   setDockOptions(AnimatedDocks | AllowTabbedDocks | AllowNestedDocks);
-  setCentralWidget(&views_->model());
+  new StopKeys(controller_, this);
   setAcceptDrops(true);
   addDocks();
+  // After the docks: whoever goes by the keyboard comes by the page first.
+  setCentralWidget(&views_->model());
   addMenus();
   connectController();
   statusBar()->addWidget(jobs_, 1);
   statusBar()->setSizeGripEnabled(false);
   firstLayout_ = saveState(kLayoutVersion);
   applyPreferences(preferences);
+  setLeastSize();
   refreshActions();
   refreshTitle();
 }
@@ -90,7 +99,7 @@ QDockWidget* MainWindow::addDock(const QString& title, const QString& name, QWid
 void MainWindow::addDocks() {
   setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
   setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
-  auto* guide = addDock(tr("Session"), QStringLiteral("wizardDock"), wizard_, Qt::LeftDockWidgetArea, tr("Ctrl+1"));
+  auto* guide = addDock(tr("Session"), QStringLiteral("wizardDock"), wizard_, Qt::LeftDockWidgetArea, {});
   guide->setFeatures(QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetFloatable);
   auto* objective = addDock(tr("Objective"), QStringLiteral("objectiveDock"), &views_->objective(),
                             Qt::RightDockWidgetArea, tr("Ctrl+2"));
@@ -107,6 +116,8 @@ void MainWindow::addDocks() {
   auto* log = addDock(tr("Log"), QStringLiteral("logDock"), log_, Qt::BottomDockWidgetArea, tr("Ctrl+7"));
   tabifyDockWidget(line, log);
   line->raise();
+  sides_ = new SideDocks(*this, {objective, space, map, why});
+  docks_ = {objective, space, map, why, line, log};
   resizeDocks({guide, objective}, {340, 350}, Qt::Horizontal);
   resizeDocks({objective, why}, {300, 340}, Qt::Vertical);
   resizeDocks({line}, {96}, Qt::Vertical);
@@ -145,8 +156,10 @@ void MainWindow::addMenus() {
 void MainWindow::addSessionMenu() {
   QMenu& session = *menuBar()->addMenu(tr("&Session"));
   session.setToolTipsVisible(true);
-  open_ = addGuarded(session, tr("&Open…"), QKeySequence::Open, [this] { openSession(); });
-  import_ = addGuarded(session, tr("&Import or add scans…"), tr("Ctrl+I"), [this] { importScans({}); });
+  open_ = addGuarded(session, tr("&Open…"), QKeySequence::Open, [this] { door_->openSession(); });
+  look_ = addGuarded(session, tr("Open to &look at…"), tr("Ctrl+Shift+O"),
+                     [this] { door_->openSession(SessionAccess::Read); });
+  import_ = addGuarded(session, tr("&Import or add scans…"), tr("Ctrl+I"), [this] { door_->importScans({}); });
   close_ = addGuarded(session, tr("&Close"), QKeySequence::Close, [this] {
     if (const QString why = controller_.permissions().whyNotClose(); !why.isEmpty()) return say(why);
     controller_.close();
@@ -156,15 +169,15 @@ void MainWindow::addSessionMenu() {
   run_ = addGuarded(session, tr("&Run or go on"), tr("F5"), [this] { controller_.run(); });
   step_ = addGuarded(session, tr("One &scan"), tr("F6"), [this] { controller_.step(); });
   pause_ = addGuarded(session, tr("&Pause"), tr("F7"), [this] { controller_.pause(); });
-  stop_ = addGuarded(session, tr("S&top"), tr("Shift+F5"), [this] { controller_.stop(); });
-  turnOver_ = addGuarded(session, tr("&Turn the object over…"), tr("Ctrl+T"), [this] {
+  stop_ = addGuarded(session, tr("S&top (also Esc)"), tr("Shift+F5"), [this] { controller_.stop(); });
+  turnOver_ = addGuarded(session, tr("T&urn the object over…"), tr("Ctrl+T"), [this] {
     if (const QString why = standDesk_->whyNotTurn(); !why.isEmpty()) return say(why);
     wizard_->goTo(QStringLiteral("turn_over"));
   });
   session.addSeparator();
   stands_ = addGuarded(session, tr("How the stan&ds lie in each other…"), tr("Ctrl+D"), [this] { compareStands(); });
   session.addSeparator();
-  addAction(session, tr("Next pa&ge"), tr("Alt+Right"), [this] { wizard_->goOn(); });
+  addAction(session, tr("Next pa&ge"), tr("Alt+Right"), [this] { wizard_->turnPage(); });
   addAction(session, tr("Page &before"), tr("Alt+Left"), [this] { wizard_->goBack(); });
   session.addSeparator();
   addAction(session, tr("&Quit"), QKeySequence::Quit, [this] { close(); });
@@ -172,23 +185,24 @@ void MainWindow::addSessionMenu() {
 
 void MainWindow::addViewMenu() {
   QMenu& view = *menuBar()->addMenu(tr("&View"));
-  const std::pair<QString, CameraPreset> presets[] = {{tr("&Fit"), CameraPreset::Fit},
-                                                      {tr("Fr&ont"), CameraPreset::Front},
-                                                      {tr("&Top"), CameraPreset::Top},
-                                                      {tr("Scanner's &eye"), CameraPreset::ScannersEye}};
+  const std::pair<QString, CameraPreset> presets[] = {
+      {tr("&Fit"), CameraPreset::Fit},         {tr("Fr&ont"), CameraPreset::Front},
+      {tr("&Top"), CameraPreset::Top},         {tr("Scanner's &eye"), CameraPreset::ScannersEye},
+      {tr("Ob&lique"), CameraPreset::Oblique}, {tr("Fit with the ta&ble"), CameraPreset::Everything}};
   int key = 1;
   for (const auto& [text, preset] : presets)
     addAction(view, text, QKeySequence(QStringLiteral("Alt+%1").arg(key++)),
               [this, chosen = preset] { views_->model().view().lookFrom(chosen); });
   view.addSeparator();
-  addAction(view, tr("Objective as &bars or dial"), tr("Ctrl+B"), [this] {
+  addAction(view, tr("Objective as bars o&r dial"), tr("Ctrl+B"), [this] {
     ObjectiveView& objective = views_->objective();
     objective.setChartStyle(objective.chartStyle() == ObjectiveStyle::Dial ? ObjectiveStyle::Bars
                                                                            : ObjectiveStyle::Dial);
   });
   addAction(view, tr("&Now"), tr("Ctrl+End"), [this] { controller_.showNow(); });
   view.addSeparator();
-  for (auto* dock : findChildren<QDockWidget*>(Qt::FindDirectChildrenOnly)) view.addAction(dock->toggleViewAction());
+  addAction(view, tr("To the &page"), tr("Ctrl+1"), [this] { wizard_->takeKeyboard(); });
+  for (QDockWidget* dock : docks_) view.addAction(dock->toggleViewAction());
   addAction(view, tr("&Usual layout"), {}, [this] { resetLayout(); });
 }
 
@@ -196,32 +210,37 @@ void MainWindow::connectController() {
   connect(&controller_, &SessionController::activityChanged, this, &MainWindow::refreshActions);
   connect(&controller_, &SessionController::stateChanged, this, &MainWindow::refreshActions);
   connect(&controller_, &SessionController::sessionChanged, this, &MainWindow::refreshTitle);
-  connect(&controller_, &SessionController::message, log_, &LogPanel::add);
-  connect(&controller_, &SessionController::failed, log_, &LogPanel::addError);
+  new SessionLog(controller_, *log_);
   connect(&controller_, &SessionController::failed, this, [this](const QString& what) {
-    // What ended a scan stands on its page, with the ways on.
-    if (what == controller_.scanFailure() && wizard_->acquirePage().isVisible()) return;
-    auto* box = new QMessageBox(QMessageBox::Warning, tr("Vantage"), what, QMessageBox::Ok, this);
-    box->setAttribute(Qt::WA_DeleteOnClose);
-    box->open();
+    // What ended a scan, or cannot be read, stands on its page, with the ways on.
+    const QString page = wizard_->page().key();
+    if (what == controller_.scanFailure() && page == QStringLiteral("acquire")) return;
+    if (what == controller_.setUpFailure() && page == QStringLiteral("check")) return;
+    notices_.show(what);
   });
+  connect(&controller_, &SessionController::damaged, this, [this](const QStringList& losses) {
+    for (const QString& loss : losses) log_->addError(loss);
+    if (losses.size() == 1) return notices_.show(losses.front());
+    notices_.show(
+        tr("The session is damaged: %1 things in it could not be read. What is whole is shown.").arg(losses.size()),
+        losses);
+  });
+  connect(door_, &SessionDoor::refused, this, &MainWindow::say);
   connect(&controller_, &SessionController::refused, this, &MainWindow::say);
   connect(&controller_, &SessionController::setUpChanged, this, &MainWindow::refreshActions);
-  connect(&controller_, &SessionController::written, log_,
-          [this](const QString& path) { log_->add(tr("Written: %1").arg(path)); });
-  connect(&controller_, &SessionController::stateChanged, log_, [this] {
-    if (controller_.present().cursor() < static_cast<int>(controller_.present().moments().size()))
-      log_->add(controller_.present().moments()[static_cast<std::size_t>(controller_.present().cursor())].text);
-  });
-  connect(&wizard_->choosePage(), &ChoosePage::openRequested, this, [this] { openSession(); });
-  connect(&wizard_->choosePage(), &ChoosePage::importRequested, this, [this] { importScans({}); });
+  connect(&wizard_->choosePage(), &ChoosePage::openRequested, door_, [this] { door_->openSession(); });
+  connect(&wizard_->choosePage(), &ChoosePage::importRequested, door_, [this] { door_->importScans({}); });
   connect(&wizard_->finishPage(), &FinishPage::reportRequested, this, &MainWindow::writeReport);
   connect(&wizard_->acquirePage().nextView(), &NextViewBox::considered, views_, &SessionViews::examine);
+  connect(&wizard_->reviewPage(), &ReviewPage::scanChosen, views_, &SessionViews::showScan);
+  connect(&wizard_->reviewPage(), &ReviewPage::edgesWanted, views_, &SessionViews::showEdges);
   connect(views_, &SessionViews::positionExamined, &wizard_->acquirePage().nextView(), &NextViewBox::offer);
 }
 
 void MainWindow::refreshActions() {
   const Permissions may = controller_.permissions();
+  const bool scans = controller_.activity() == Activity::Running && controller_.now();
+  jobs_->setOutlook(scans ? outlookText(*controller_.now()) : QString());
   allow(*undo_, may.whyNotUndo());
   allow(*redo_, may.whyNotRedo());
   allow(*run_, may.whyNotRun());
@@ -230,6 +249,7 @@ void MainWindow::refreshActions() {
   allow(*stop_, controller_.idle() ? tr("Nothing runs that could be stopped.") : QString());
   allow(*close_, may.whyNotClose());
   allow(*open_, may.whyNotOpen());
+  allow(*look_, may.whyNotOpen());
   allow(*import_, may.whyNotOpen());
   allow(*turnOver_, standDesk_->whyNotTurn());
   allow(*stands_, may.whyNotCompareStands());
@@ -238,7 +258,10 @@ void MainWindow::refreshActions() {
 // The session of last time is found again by its path.
 void MainWindow::refreshTitle() {
   const QString path = controller_.sessionPath();
-  setWindowTitle(path.isEmpty() ? tr("Vantage") : tr("%1 – Vantage").arg(QFileInfo(path).absoluteFilePath()));
+  const QString whole = QFileInfo(path).absoluteFilePath();
+  setWindowTitle(path.isEmpty()           ? tr("Vantage")
+                 : controller_.readOnly() ? tr("%1 (to be looked at only) – Vantage").arg(whole)
+                                          : tr("%1 – Vantage").arg(whole));
   QSettings file;
   file.setValue(QStringLiteral("lastSession"), path);
   file.sync();
@@ -250,37 +273,11 @@ void MainWindow::say(const QString& why) {
   statusBar()->showMessage(why, 8000);
 }
 
-void MainWindow::openSession() {
-  if (const QString why = controller_.permissions().whyNotOpen(); !why.isEmpty()) return say(why);
-  const QString path = QFileDialog::getOpenFileName(this, tr("Open a session"), {}, tr("Sessions (*.vantage)"));
-  if (!path.isEmpty()) openSession(path);
-}
-
-void MainWindow::openSession(const QString& path) {
-  if (const QString why = controller_.permissions().whyNotOpen(); !why.isEmpty()) return say(why);
-  if (controller_.hasSession() && QFileInfo(path) == QFileInfo(controller_.sessionPath()))
-    return say(tr("%1 is open already.").arg(path));
-  controller_.open(path);
-}
-
-// Into the session that is open, where it can have more; else into a new one.
-void MainWindow::importScans(const QStringList& files) {
-  if (const QString why = controller_.permissions().whyNotOpen(); !why.isEmpty()) return say(why);
-  const bool intoOpen = controller_.permissions().whyNotAddScans().isEmpty();
-  auto* dialog =
-      new ImportDialog(controller_, intoOpen ? ImportDialog::Into::OpenSession : ImportDialog::Into::NewSession, this);
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setWindowModality(Qt::WindowModal);
-  dialog->suggest(wizard_->choosePage().importChoice());
-  dialog->addFiles(files);
-  dialog->open();
-}
-
 void MainWindow::compareStands(std::optional<int> stand) {
   if (const QString why = controller_.permissions().whyNotCompareStands(); !why.isEmpty()) return say(why);
   const std::vector<int> waiting = standsToAlign(*controller_.now());
   const bool waits = stand && std::find(waiting.begin(), waiting.end(), *stand) != waiting.end();
-  const StandLook look{parts_.surfaces, preferences_.theme == 1 ? darkTheme() : lightTheme(),
+  const StandLook look{parts_.surfaces, themeOf(preferences_.theme),
                        static_cast<NavigationScheme>(preferences_.navigation)};
   auto* dialog = new StandDialog(controller_, parts_.jobs, look, waits ? *stand : waiting.back(), this);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
@@ -292,25 +289,20 @@ void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
   if (event->mimeData()->hasUrls()) event->acceptProposedAction();
 }
 
-// A session is opened; everything else is taken for scans.
 void MainWindow::dropEvent(QDropEvent* event) {
-  QStringList files;
-  for (const QUrl& url : event->mimeData()->urls())
-    if (url.isLocalFile()) files << url.toLocalFile();
-  if (files.isEmpty()) return;
-  event->acceptProposedAction();
-  if (files.size() == 1 && files.front().endsWith(QStringLiteral(".vantage"))) return openSession(files.front());
-  importScans(files);
+  door_->take(*event);
 }
 
 void MainWindow::applyPreferences(const Preferences& preferences) {
   preferences_ = preferences;
-  const Theme& theme = preferences.theme == 1 ? darkTheme() : lightTheme();
+  const Theme& theme = themeOf(preferences.theme);
   applyTheme(*qApp, theme);
   views_->setTheme(theme);
   views_->setNavigation(static_cast<NavigationScheme>(preferences.navigation));
   why_->setTheme(theme);
   wizard_->setTheme(theme);
+  timeLine_->setTheme(theme);
+  attention_->setSound(preferences.sound);
 }
 
 void MainWindow::editSettings() {
@@ -346,18 +338,51 @@ void MainWindow::restoreLayout() {
   const QSettings file;
   restoreGeometry(file.value(QStringLiteral("window/geometry")).toByteArray());
   restoreState(file.value(QStringLiteral("window/layout")).toByteArray(), kLayoutVersion);
+  fitsScreen_ = true;
+  fitToScreen(*this);
+}
+
+// What it needs without the docks on the right depends on the font.
+void MainWindow::setLeastSize() {
+  setMinimumWidth(sides_->leastWidth());
+  sides_->arrange();
+}
+
+void MainWindow::changeEvent(QEvent* event) {
+  QMainWindow::changeEvent(event);
+  if (event->type() == QEvent::FontChange)
+    QMetaObject::invokeMethod(this, &MainWindow::setLeastSize, Qt::QueuedConnection);
+}
+
+// Its frame is known from now on.
+void MainWindow::showEvent(QShowEvent* event) {
+  QMainWindow::showEvent(event);
+  QMetaObject::invokeMethod(
+      this,
+      [this] {
+        setLeastSize();
+        if (fitsScreen_ && !isMaximized() && !isFullScreen()) fitToScreen(*this);
+      },
+      Qt::QueuedConnection);
 }
 
 void MainWindow::resetLayout() {
+  sides_->expand();
   restoreState(firstLayout_, kLayoutVersion);
+  sides_->arrange();
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
   QSettings file;
   file.setValue(QStringLiteral("window/geometry"), saveGeometry());
+  sides_->expand();
   file.setValue(QStringLiteral("window/layout"), saveState(kLayoutVersion));
   if (!controller_.idle()) controller_.stop();
   event->accept();
+}
+
+void MainWindow::openSession(const QString& path) {
+  door_->openSession(path);
 }
 
 void MainWindow::showDiagnostics() {
@@ -370,7 +395,8 @@ void MainWindow::showDiagnostics() {
 void MainWindow::showAbout() {
   QMessageBox::about(this, tr("About Vantage"),
                      tr("Vantage %1\n\nA scanning workstation that decides where to scan next, after R. Pito, "
-                        "\"A Solution to the Next Best View Problem for Automated Surface Acquisition\", 1999.")
+                        "\"A Solution to the Next Best View Problem for Automated Surface Acquisition\", 1999.\n\n"
+                        "Apache License 2.0. Made with Qt, VTK, Embree, Eigen, OpenMesh, assimp and SQLite.")
                          .arg(QCoreApplication::applicationVersion()));
 }
 

@@ -6,12 +6,16 @@
 #include "docks/why_panel.h"
 #include "session_views.h"
 #include "settings/preferences.h"
+#include "window/attention.h"
+#include "window/notices.h"
+#include "window/side_docks.h"
 #include "wizard/wizard.h"
 
 namespace vantage {
 
 class JobPanel;
 class LogPanel;
+class SessionDoor;
 class StandDesk;
 class TimeLine;
 
@@ -43,6 +47,8 @@ class MainWindow final : public QMainWindow {
   void restoreLayout();
 
  protected:
+  void changeEvent(QEvent* event) override;
+  void showEvent(QShowEvent* event) override;
   void closeEvent(QCloseEvent* event) override;
   void dragEnterEvent(QDragEnterEvent* event) override;
   void dropEvent(QDropEvent* event) override;
@@ -59,8 +65,7 @@ class MainWindow final : public QMainWindow {
   void connectController();
   void refreshActions();
   void refreshTitle();
-  void openSession();
-  void importScans(const QStringList& files);
+  void setLeastSize();
   void say(const QString& why);
   void editSettings();
   void writeReport(const QString& path);
@@ -79,8 +84,13 @@ class MainWindow final : public QMainWindow {
   TimeLine* timeLine_;
   JobPanel* jobs_;
   LogPanel* log_;
-  QMenu* docksMenu_ = nullptr;
+  SessionDoor* door_;
+  Attention* attention_;
+  Notices notices_;
+  SideDocks* sides_ = nullptr;
+  QList<QDockWidget*> docks_;  ///< in the order of their keys
   QAction* open_ = nullptr;
+  QAction* look_ = nullptr;
   QAction* import_ = nullptr;
   QAction* run_ = nullptr;
   QAction* step_ = nullptr;
@@ -92,6 +102,7 @@ class MainWindow final : public QMainWindow {
   QAction* close_ = nullptr;
   QAction* turnOver_ = nullptr;
   QByteArray firstLayout_;
+  bool fitsScreen_ = false;  ///< it is kept inside of its screen when it is shown
 };
 
 }  // namespace vantage

@@ -1,5 +1,8 @@
 #include "moments.h"
 
+#include <QCoreApplication>
+#include <variant>
+
 #include "ending_text.h"
 #include "wording.h"
 
@@ -15,6 +18,7 @@ Moment momentOf(const HistoryEntry& entry, bool undone) {
   moment.undone = undone;
   const auto* added = std::get_if<AddScan>(&entry.command);
   if (added == nullptr) return moment;
+  moment.scan = added->scan;
   for (const OutlinedScan& scan : entry.outline->scans) {
     if (scan.scan != added->scan) continue;
     moment.rejected = scan.status == ScanStatus::Rejected;
@@ -32,6 +36,8 @@ std::vector<Moment> momentsOf(const History& history) {
   std::vector<Moment> moments;
   moments.reserve(history.size());
   for (std::size_t i = 0; i < history.size(); ++i) moments.push_back(momentOf(history.entry(i), i > history.cursor()));
+  const bool begun = !moments.empty() && std::holds_alternative<ChangeSettings>(history.entry(0).command);
+  if (begun) moments.front().text = QCoreApplication::translate("Moments", "Session begun");
   return moments;
 }
 

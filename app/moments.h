@@ -13,10 +13,11 @@ namespace vantage {
 struct Moment {
   QString text;
   int views = 0;
-  std::optional<int> position;  ///< of the scan that led to it; nothing for other commands
-  double newArea = 0.0;         ///< that the scan brought [mm^2]
-  bool rejected = false;        ///< the scan did not find its place
-  int stand = 0;                ///< that the object was in
+  std::optional<std::int64_t> scan;  ///< that led to it; nothing for other commands
+  std::optional<int> position;       ///< of the scan that led to it; nothing for other commands
+  double newArea = 0.0;              ///< that the scan brought [mm^2]
+  bool rejected = false;             ///< the scan did not find its place
+  int stand = 0;                     ///< that the object was in
   /// The outline after it; shared with the history.
   std::shared_ptr<const StateOutline> outline = nullptr;
   bool undone = false;  ///< it is behind the cursor and can be redone

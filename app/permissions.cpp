@@ -24,9 +24,9 @@ std::optional<Refusal> refusalOfScan(const SharedState& now) {
 
 // Whether the object has a model, in work or set aside.
 bool hasObject(const AcquisitionState& state) {
-  if (compositeInWork(state) == kObjectComposite) return state.model != nullptr;
+  if (compositeInWork(state) == objectComposite(state)) return state.model != nullptr;
   return std::any_of(state.aside.begin(), state.aside.end(),
-                     [](const ModelAside& aside) { return aside.composite == kObjectComposite; });
+                     [&](const ModelAside& aside) { return aside.composite == objectComposite(state); });
 }
 
 }  // namespace
@@ -36,8 +36,13 @@ QString Permissions::busyOr(const std::optional<Refusal>& refusal) const {
   return refusal ? refusalText(*refusal) : QString();
 }
 
+QString Permissions::whyNotChange(const std::optional<Refusal>& refusal) const {
+  if (at_.readOnly) return tr("This session is open to be looked at only.");
+  return busyOr(refusal);
+}
+
 QString Permissions::whyNotScan() const {
-  if (QString why = busyOr(refusalOfScan(at_.now)); !why.isEmpty()) return why;
+  if (QString why = whyNotChange(refusalOfScan(at_.now)); !why.isEmpty()) return why;
   return whyNoDevices();
 }
 
@@ -56,7 +61,7 @@ bool Permissions::takesAsTheyCome() const {
 }
 
 QString Permissions::whyNotRun() const {
-  if (takesAsTheyCome()) return whyNotScan();
+  if (at_.readOnly || takesAsTheyCome()) return whyNotScan();
   if (at_.mode == Mode::Assisted)
     return tr("You turn the table yourself: scan one view at a time, or choose automatic.");
   if (at_.setUp && turnedByHand(*at_.setUp)) return tr("The table is turned by hand: choose assisted.");
@@ -64,7 +69,7 @@ QString Permissions::whyNotRun() const {
 }
 
 QString Permissions::whyNotTestScan() const {
-  if (at_.busy) return busyOr({});
+  if (at_.busy || at_.readOnly) return whyNotChange({});
   if (QString why = whyNoDevices(); !why.isEmpty()) return why;
   // Where its table stands belongs to the session.
   if (at_.sessionOpen && std::holds_alternative<RealDevices>(*at_.setUp->devices))
@@ -79,15 +84,15 @@ QString Permissions::whyNotTestTurn() const {
 
 QString Permissions::whyNot(const Command& command) const {
   if (!at_.sessionOpen || !at_.now) return tr("There is no session yet: it begins with the first scan.");
-  return busyOr(mayDo(*at_.now, command));
+  return whyNotChange(mayDo(*at_.now, command));
 }
 
 QString Permissions::whyNotUndo() const {
-  return busyOr(unless(at_.somethingBefore, RefusalReason::NothingToUndo));
+  return whyNotChange(unless(at_.somethingBefore, RefusalReason::NothingToUndo));
 }
 
 QString Permissions::whyNotRedo() const {
-  return busyOr(unless(at_.somethingUndone, RefusalReason::NothingToRedo));
+  return whyNotChange(unless(at_.somethingUndone, RefusalReason::NothingToRedo));
 }
 
 QString Permissions::whyNotExport() const {
@@ -96,7 +101,7 @@ QString Permissions::whyNotExport() const {
 
 QString Permissions::whyNotAddScans() const {
   if (!at_.sessionOpen || !at_.now) return tr("There is no session yet: it begins with the first scan.");
-  return busyOr(unless(at_.now->profile != nullptr, RefusalReason::NoProfile));
+  return whyNotChange(unless(at_.now->profile != nullptr, RefusalReason::NoProfile));
 }
 
 QString Permissions::whyNotCompareStands() const {

@@ -19,6 +19,7 @@ struct Situation {
   SharedState now = nullptr;     ///< nothing before the first scan
   bool somethingBefore = false;  ///< there is a step to undo
   bool somethingUndone = false;  ///< there is a step to redo
+  bool readOnly = false;         ///< the session may only be looked at
 };
 
 /// Why something cannot be done now, as a sentence for the operator; empty when it can.
@@ -49,6 +50,8 @@ class Permissions {
 
  private:
   [[nodiscard]] QString busyOr(const std::optional<Refusal>& refusal) const;
+  /// The same of what would change the session.
+  [[nodiscard]] QString whyNotChange(const std::optional<Refusal>& refusal) const;
 
   Situation at_;
 };

@@ -3,6 +3,7 @@
 #include <variant>
 
 #include "acquisition/further_scan.h"
+#include "acquisition/stand_composites.h"
 #include "acquisition/table_place.h"
 #include "ending_text.h"
 #include "session/table_note.h"
@@ -23,6 +24,8 @@ Present Present::of(const Session& session) {
   present.moments_ = momentsOf(history);
   present.cursor_ = static_cast<int>(history.cursor());
   present.table_ = vantage::tablePosition(session);
+  const AcquisitionState object = withObject(*present.state_);
+  if (object.model) present.completeness_ = completenessOf(object.model->mesh, object.plan.get());
   // Only of the moment that holds is known what an end leaves.
   if (std::holds_alternative<Finish>(history.current().command) && present.state_->termination != Termination::Running)
     present.moments_[history.cursor()].text = endingText(*present.state_);

@@ -7,6 +7,7 @@
 #include "acquisition/next_scan.h"
 #include "moments.h"
 #include "planning/explanation.h"
+#include "report/completeness.h"
 #include "session/session.h"
 
 namespace vantage {
@@ -38,6 +39,8 @@ class Present {
   [[nodiscard]] std::optional<int> furtherPosition() const;
   /// The same, had the operator chosen no position.
   [[nodiscard]] std::optional<int> proposedPosition() const;
+  /// How complete the object is; nothing without a model of it.
+  [[nodiscard]] const std::optional<Completeness>& completeness() const { return completeness_; }
   /// What the plan that holds says of a position; nothing without a plan.
   [[nodiscard]] std::optional<Explanation> explained(int position) const;
 
@@ -46,6 +49,7 @@ class Present {
   std::vector<Moment> moments_;
   int cursor_ = 0;
   std::optional<int> table_;
+  std::optional<Completeness> completeness_;
   int firstView_ = 0;
 };
 

@@ -66,6 +66,8 @@ QString refusalText(const Refusal& refusal) {
       return Text::tr("Pose %1 is none of those that were found.").arg(number);
     case RefusalReason::PoseContradicted:
       return Text::tr("Something speaks against pose %1.").arg(number);
+    case RefusalReason::StandsTogether:
+      return Text::tr("Several stands make the object already.");
     case RefusalReason::OtherStand:
       break;
   }

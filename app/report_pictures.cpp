@@ -32,6 +32,7 @@ double facing(const RangeImage& scan, int row, int column) {
   return length > 0.0 ? std::abs(normal.dot(rays.ray(here).direction)) / length : 0.0;
 }
 
+const QColor kEmpty(0x22, 0x27, 0x2e);  // where a scan has no sample
 constexpr QSize kStandPicture(400, 300);
 constexpr int kDiscSides = 96;
 constexpr double kDiscWider = 1.25;  // than what stands on it
@@ -73,10 +74,21 @@ QImage standingPicture(const Mesh& mesh, const Pose& T_table_mesh) {
 
 }  // namespace
 
+QImage cropped(const QImage& image) {
+  constexpr double kAround = 0.06;
+  QRect filled;
+  for (int y = 0; y < image.height(); ++y)
+    for (int x = 0; x < image.width(); ++x)
+      if (image.pixel(x, y) != kEmpty.rgb()) filled |= QRect(x, y, 1, 1);
+  if (filled.isEmpty()) return image;
+  const int around = 2 + static_cast<int>(kAround * std::max(filled.width(), filled.height()));
+  return image.copy(filled.adjusted(-around, -around, around, around) & image.rect());
+}
+
 QImage scanImage(const RangeImage& scan, int step, const std::function<QRgb(std::size_t, QRgb)>& repaint) {
   const RayGrid& rays = *scan.rays;
   QImage image((rays.columns() + step - 1) / step, (rays.rows() + step - 1) / step, QImage::Format_RGB32);
-  image.fill(QColor(0x22, 0x27, 0x2e));
+  image.fill(kEmpty);
   for (int row = 0; row < rays.rows(); row += step)
     for (int column = 0; column < rays.columns(); column += step) {
       const std::size_t ray = rays.index(row, column);
@@ -106,12 +118,11 @@ ReportPicture toReportPicture(const QImage& image, const QString& caption) {
 
 std::vector<ReportPicture> scanPictures(const AcquisitionState& state) {
   std::vector<ReportPicture> pictures;
-  for (const View& view : viewsOf(state)) {
-    const std::size_t number = pictures.size() + 1;
-    const std::optional<int> position = view.image->station.position;
-    pictures.push_back(
-        toReportPicture(scanImage(*view.image), position ? Text::tr("View %1, position %2").arg(number).arg(*position)
-                                                         : Text::tr("View %1").arg(number)));
+  for (const KeptScan* scan : scansOf(state, ScanStatus::In)) {
+    const std::optional<int> position = scan->station().position;
+    pictures.push_back(toReportPicture(cropped(scanImage(*scan->view.image)),
+                                       position ? Text::tr("Scan %1, position %2").arg(scan->number).arg(*position)
+                                                : Text::tr("Scan %1").arg(scan->number)));
   }
   return pictures;
 }

@@ -43,7 +43,8 @@ SessionController::SessionController(JobRunner& jobs, std::string cacheFolder, D
   connect(&work_, &Undertaking::failed, this, &SessionController::failed);
   connect(&work_, &Undertaking::refused, this, &SessionController::refused);
   connect(&work_, &Undertaking::message, this, &SessionController::message);
-  connect(&keeper_, &SessionKeeper::failed, this, &SessionController::failed);
+  connect(&keeper_, &SessionKeeper::inUse, this, &SessionController::inUse);
+  connect(&keeper_, &SessionKeeper::damaged, this, &SessionController::damaged);
   connect(&keeper_, &SessionKeeper::message, this, &SessionController::message);
   connect(&keeper_, &SessionKeeper::importFailed, this, &SessionController::importFailed);
   connect(&keeper_, &SessionKeeper::arrived, this, &SessionController::replace);
@@ -58,6 +59,7 @@ SessionController::~SessionController() {
 // All who look at the set-up are told.
 void SessionController::changeSetUp(const SharedSetUp& setUp) {
   setUp_ = setUp;
+  setUpFailure_.clear();
   if (!hasSession()) present_ = presentBefore();
   bench_.setSetUp(setUp);
   testScans_.setSetUp(setUp);
@@ -98,7 +100,8 @@ void SessionController::useCalibration(const QString& path) {
 }
 
 void SessionController::prepare() {
-  if (setUp_ || choice_.scanner.empty()) return;
+  if (setUp_ || choice_.scanner.empty() || !idle()) return;
+  setUpFailure_.clear();
   const auto tell = [this, of = choice_](const Phrase& note) {
     QMetaObject::invokeMethod(this, [this, of, note] {
       if (of != choice_) return;
@@ -116,6 +119,11 @@ void SessionController::prepare() {
         if (!hasSession() && turnedByHand(*setUp)) mode_ = Mode::Assisted;
         if (!setUp->notes.empty()) emit message(QString::fromStdString(setUp->notes));
         changeSetUp(setUp);
+      },
+      [this](const QString& why) {
+        setUpFailure_ = why;
+        emit setUpChanged();
+        emit failed(why);
       });
 }
 
@@ -125,14 +133,15 @@ void SessionController::noteMemory(const Phrase& note) {
   emit message(memoryNote_);
 }
 
-void SessionController::adopt(const SessionPointer& session, const SharedSetUp& setUp, const QString& page) {
+void SessionController::adopt(const OpenedSession& opened, const QString& page) {
+  const SharedSetUp& setUp = opened.setUp;
   choice_ = setUp->choice;
   memoryNote_.clear();
   if (setUp->profile)
     if (const auto note = vantage::memoryNote(setUp->profile->rays->size(), choice_.settings.thinning,
-                                              static_cast<std::size_t>(session->scanCount())))
+                                              static_cast<std::size_t>(opened.session->scanCount())))
       noteMemory(*note);
-  keeper_.adopt(session, page);
+  keeper_.adopt(opened.session, opened.access, page);
   changeSetUp(setUp);
   emit sessionChanged();
 }
@@ -140,13 +149,13 @@ void SessionController::adopt(const SessionPointer& session, const SharedSetUp& 
 void SessionController::replace(const OpenedSession& opened, const Present& present, const QString& page,
                                 bool isImported) {
   if (hasSession()) close();
-  adopt(opened.session, opened.setUp, page);
+  adopt(opened, page);
   publish(present);
   if (isImported) emit imported();
 }
 
-void SessionController::open(const QString& path) {
-  if (allowed(permissions().whyNotOpen())) keeper_.open(path);
+void SessionController::open(const QString& path, SessionAccess access) {
+  if (allowed(permissions().whyNotOpen())) keeper_.open(path, access);
 }
 
 void SessionController::importScans(const ImportChoice& choice) {
@@ -200,7 +209,7 @@ StandTold SessionController::tellOfStand() {
 void SessionController::scanInBackground(bool untilTheEnd) {
   const auto begun = [this, setUp = setUp_](const SessionPointer& session) {
     QMetaObject::invokeMethod(this, [this, session, setUp, present = Present::of(*session)]() mutable {
-      adopt(session, setUp, {});
+      adopt({session, setUp, SessionAccess::Write}, {});
       publish(std::move(present));
     });
   };
@@ -247,7 +256,8 @@ Permissions SessionController::permissions() const {
                       .setUp = setUp_,
                       .now = now(),
                       .somethingBefore = present_.somethingBefore(),
-                      .somethingUndone = present_.somethingUndone()});
+                      .somethingUndone = present_.somethingUndone(),
+                      .readOnly = readOnly()});
 }
 
 bool SessionController::allowed(const QString& whyNot) {

@@ -52,6 +52,8 @@ class SessionController final : public QObject {
   /// Reads profile and object of the choice.
   void prepare();
   [[nodiscard]] const SharedSetUp& setUp() const { return setUp_; }
+  /// Why the choice could not be read; empty when it was, or was not tried.
+  [[nodiscard]] const QString& setUpFailure() const { return setUpFailure_; }
   /// How much memory the scanner of the choice is going to take, known before it is prepared; empty where that is
   /// little.
   [[nodiscard]] const QString& memoryNote() const { return memoryNote_; }
@@ -70,7 +72,10 @@ class SessionController final : public QObject {
   [[nodiscard]] bool hasSession() const { return keeper_.session() != nullptr; }
   [[nodiscard]] QString sessionPath() const { return keeper_.path(); }
   /// Opens another session; the one that is open stays so until that is known to be whole.
-  void open(const QString& path);
+  /// @param access Read: it is looked at only, also while another program writes to it
+  void open(const QString& path, SessionAccess access = SessionAccess::Write);
+  /// Whether the open session may only be looked at.
+  [[nodiscard]] bool readOnly() const { return keeper_.readOnly(); }
   /// Makes a session of recorded scans. What is wrong with them is told by importFailed.
   void importScans(const ImportChoice& choice);
   /// Adds scans of files to the open session, each from its position. What is wrong with them is told by importFailed.
@@ -151,13 +156,15 @@ class SessionController final : public QObject {
   void shownChanged();
   /// While scans were taken a stand was aligned, or could not be.
   void standTried(int stand, const std::shared_ptr<const StandAlignment>& alignment);
-  void runEnded();                        ///< an acquisition ended by itself
-  void imported();                        ///< recorded scans are in the session
-  void importFailed(const QString& why);  ///< nothing of them is, or not all
-  void written(const QString& path);      ///< a model or report
-  void failed(const QString& what);       ///< one sentence for the operator
-  void refused(const QString& why);       ///< what was asked for cannot be done now
-  void message(const QString& what);      ///< for the log
+  void runEnded();                                      ///< an acquisition ended by itself
+  void imported();                                      ///< recorded scans are in the session
+  void importFailed(const QString& why);                ///< nothing of them is, or not all
+  void inUse(const QString& path, const QString& why);  ///< it is not opened: another program writes to it
+  void damaged(const QStringList& losses);              ///< what cannot be read of the session that was opened
+  void written(const QString& path);                    ///< a model or report
+  void failed(const QString& what);                     ///< one sentence for the operator
+  void refused(const QString& why);                     ///< what was asked for cannot be done now
+  void message(const QString& what);                    ///< for the log
 
  private:
   using SessionPointer = SessionKeeper::SessionPointer;
@@ -170,7 +177,7 @@ class SessionController final : public QObject {
   /// What must not be written over.
   [[nodiscard]] std::vector<std::string> filesInUse() const;
   void moveTo(int moment, const QString& title);
-  void adopt(const SessionPointer& session, const SharedSetUp& setUp, const QString& page);
+  void adopt(const OpenedSession& opened, const QString& page);
   void replace(const OpenedSession& opened, const Present& present, const QString& page, bool isImported);
   void publish(Present present);
   [[nodiscard]] Present presentBefore() const;
@@ -182,6 +189,7 @@ class SessionController final : public QObject {
   std::shared_ptr<RigKeeper> devices_;
   SetUpChoice choice_;
   SharedSetUp setUp_;
+  QString setUpFailure_;
   QString memoryNote_;
   Undertaking work_;
   DeviceBench bench_;

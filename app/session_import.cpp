@@ -60,7 +60,7 @@ OpenedSession importSession(const ImportChoice& choice, const std::string& cache
     Acquisition(session).importScans(std::move(images), progress.part(0.1, 0.9), readings);
     place.keep();
   }
-  return openSession(path, cacheFolder, progress.part(0.9, 1.0));
+  return openSession(path, SessionAccess::Write, cacheFolder, progress.part(0.9, 1.0));
 }
 
 void addRecordedScans(Acquisition& acquisition, const RecordedScans& recorded, const SetUp& setUp,

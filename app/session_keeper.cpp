@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "report/loss_wording.h"
+#include "session/session_lock.h"
 #include "wording.h"
 
 namespace vantage {
@@ -27,43 +28,55 @@ QString SessionKeeper::path() const {
   return session_ ? QString::fromStdString(session_->path()) : QString();
 }
 
-void SessionKeeper::open(const QString& path) {
+void SessionKeeper::open(const QString& path, SessionAccess access) {
   read(
-      tr("Opening the session"),
-      [path = path.toStdString(), cache = cacheFolder_](const Progress& progress) {
-        return openSession(path, cache, progress);
+      tr("Opening the session"), path,
+      [path = path.toStdString(), access, cache = cacheFolder_](const Progress& progress) {
+        return openSession(path, access, cache, progress);
       },
       false);
 }
 
 void SessionKeeper::importScans(const ImportChoice& choice) {
   read(
-      tr("Importing recorded scans"),
+      tr("Importing recorded scans"), {},
       [choice, cache = cacheFolder_](const Progress& progress) { return importSession(choice, cache, progress); },
       true);
 }
 
-void SessionKeeper::read(const QString& title, std::function<OpenedSession(const Progress&)> process, bool imported) {
+void SessionKeeper::read(const QString& title, const QString& path,
+                         std::function<OpenedSession(const Progress&)> process, bool imported) {
   std::function<void(const QString&)> notImported;
   if (imported) notImported = [this](const QString& why) { emit importFailed(why); };
   work_.begin<Arrival>(
       Activity::Opening, title,
       [process = std::move(process)](const Progress& progress) {
-        Arrival arrival{process(progress), {}};
-        arrival.present = Present::of(*arrival.opened.session);
-        return arrival;
+        try {
+          Arrival arrival{process(progress), {}, {}};
+          arrival.present = Present::of(*arrival.opened.session);
+          return arrival;
+        } catch (const SessionInUse& e) {
+          return Arrival{{}, {}, QString::fromUtf8(e.what())};
+        }
       },
-      [this, imported](const Arrival& arrival) {
+      [this, path, imported](const Arrival& arrival) {
+        if (!arrival.heldBy.isEmpty()) {
+          emit inUse(path, arrival.heldBy);
+          return;
+        }
         const QString page = pageOf(*arrival.opened.session, *arrival.present.state());
         emit arrived(arrival.opened, arrival.present, page, imported);
       },
       notImported);
 }
 
-void SessionKeeper::adopt(const SessionPointer& session, const QString& page) {
+void SessionKeeper::adopt(const SessionPointer& session, SessionAccess access, const QString& page) {
   session_ = session;
+  access_ = access;
   page_ = page;
-  for (const Loss& loss : session->losses()) emit failed(translated(phraseOf(loss, session->path())));
+  QStringList losses;
+  for (const Loss& loss : session->losses()) losses << translated(phraseOf(loss, session->path()));
+  if (!losses.isEmpty()) emit damaged(losses);
 }
 
 void SessionKeeper::letGo() {
@@ -74,7 +87,7 @@ void SessionKeeper::letGo() {
 void SessionKeeper::rememberPage(const QString& page) {
   if (page == page_) return;
   page_ = page;
-  if (!session_) return;
+  if (!session_ || readOnly()) return;
   jobs_.run<bool>(
       {},
       [session = session_, page = page.toStdString()](const Progress&) {

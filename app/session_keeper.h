@@ -2,6 +2,7 @@
 
 #include <QObject>
 #include <QString>
+#include <QStringList>
 #include <functional>
 #include <memory>
 #include <string>
@@ -28,15 +29,17 @@ class SessionKeeper final : public QObject {
   [[nodiscard]] const SessionPointer& session() const { return session_; }
   /// Empty where none is open.
   [[nodiscard]] QString path() const;
+  /// Whether it may only be looked at.
+  [[nodiscard]] bool readOnly() const { return session_ && access_ == SessionAccess::Read; }
 
   /// Reads a session whole; the one that is kept stays so until whoever hears `arrived` adopts it.
-  void open(const QString& path);
+  void open(const QString& path, SessionAccess access);
   /// Makes a session of recorded scans, likewise. What is wrong with them is told by importFailed.
   void importScans(const ImportChoice& choice);
 
   /// Keeps a session from now on, and tells what it has lost.
   /// @param page of the wizard that it was left at
-  void adopt(const SessionPointer& session, const QString& page);
+  void adopt(const SessionPointer& session, SessionAccess access, const QString& page);
   /// Leaves the session as it is on the disk.
   void letGo();
 
@@ -48,20 +51,24 @@ class SessionKeeper final : public QObject {
   /// @param imported it was made of recorded scans just now
   void arrived(const OpenedSession& opened, const Present& present, const QString& page, bool imported);
   void importFailed(const QString& why);
-  void failed(const QString& what);   ///< one sentence for the operator
-  void message(const QString& what);  ///< for the log
+  void inUse(const QString& path, const QString& why);  ///< it is not opened: another program writes to it
+  void damaged(const QStringList& losses);              ///< what cannot be read of the session that was opened
+  void message(const QString& what);                    ///< for the log
 
  private:
   struct Arrival {
     OpenedSession opened;
     Present present;
+    QString heldBy;  ///< empty, or why it is not opened
   };
-  void read(const QString& title, std::function<OpenedSession(const Progress&)> process, bool imported);
+  void read(const QString& title, const QString& path, std::function<OpenedSession(const Progress&)> process,
+            bool imported);
 
   Undertaking& work_;
   JobRunner& jobs_;
   std::string cacheFolder_;
   SessionPointer session_;
+  SessionAccess access_ = SessionAccess::Write;
   QString page_;
 };
 

@@ -51,10 +51,11 @@ std::shared_ptr<Session> createSession(const SetUp& setUp) {
   return session;
 }
 
-OpenedSession openSession(const std::string& path, const std::string& cacheFolder, const Progress& progress) {
+OpenedSession openSession(const std::string& path, SessionAccess access, const std::string& cacheFolder,
+                          const Progress& progress) {
   OpenedSession opened;
-  opened.session =
-      std::make_shared<Session>(Session::open(path, SessionAccess::Write, progress.part(0.0, 0.4, "read session")));
+  opened.access = access;
+  opened.session = std::make_shared<Session>(Session::open(path, access, progress.part(0.0, 0.4, "read session")));
   auto setUp = std::make_shared<SetUp>();
   setUp->choice.settings = opened.session->state()->settings;
   setUp->choice.folder = fs::path(path).parent_path().string();

@@ -19,13 +19,14 @@ namespace vantage {
 /// Keeps in the session what it is scanned with from now on. @throws IoError
 void rememberDevices(Session& session, const SetUp& setUp);
 
-/// Opens a session for writing with the set-up that it was begun with.
-/// @throws IoError, InvalidInput, Cancelled
 struct OpenedSession {
   std::shared_ptr<Session> session;
   SharedSetUp setUp;
+  SessionAccess access = SessionAccess::Write;
 };
-[[nodiscard]] OpenedSession openSession(const std::string& path, const std::string& cacheFolder,
+/// Opens a session with the set-up that it was begun with.
+/// @throws SessionInUse where it is to be written to and another program does; IoError, InvalidInput, Cancelled
+[[nodiscard]] OpenedSession openSession(const std::string& path, SessionAccess access, const std::string& cacheFolder,
                                         const Progress& progress);
 
 }  // namespace vantage

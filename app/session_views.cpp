@@ -29,7 +29,8 @@ PlanPictures computePictures(const ViewSnapshot& snapshot, const Progress& progr
 
 // The next position; when nothing comes next, what would, or the one that comes nearest to it; none without a plan.
 std::optional<int> positionToExplain(const ViewSnapshot& snapshot) {
-  if (snapshot.proposed() || !snapshot.plan) return snapshot.proposed();
+  if (!snapshot.plan) return std::nullopt;
+  if (snapshot.proposed()) return snapshot.proposed();
   if (snapshot.further) return snapshot.further;
   const std::vector<PositionScore>& scores = snapshot.plan->scores;
   const auto best = std::max_element(scores.begin(), scores.end(), [](const PositionScore& a, const PositionScore& b) {
@@ -93,6 +94,10 @@ void SessionViews::refresh() {
   auto snapshot =
       std::make_shared<ViewSnapshot>(*makeSnapshot(state ? state : before, setUp ? setUp->images : nullptr));
   if (controller_.showsNow()) snapshot->table = controller_.present().tablePosition();
+  if (!state || state->scans.empty()) {
+    if (setUp && setUp->object) snapshot->expected = setUp->object->mesh;
+    if (controller_.showsNow()) snapshot->next = controller_.present().nextPosition();
+  }
   showSnapshot(snapshot);
   model_->setNotice(controller_.showsNow() ? QString()
                                            : tr("This is the session as it was after view %1. Back to now")
@@ -142,6 +147,30 @@ void SessionViews::pickPatch(std::uint32_t patch) {
   const std::vector<std::uint32_t> cells = links_->cellsOf(patch);
   space_->view().highlightCells(cells);
   map_->highlightCells(cells);
+}
+
+void SessionViews::showScan(std::optional<std::int64_t> scan) {
+  std::optional<std::uint32_t> view;
+  std::optional<int> position;
+  if (scan && snapshot_ && snapshot_->state) {
+    const std::vector<const KeptScan*> in = scansOf(*snapshot_->state, ScanStatus::In);
+    for (std::size_t i = 0; i < in.size(); ++i)
+      if (in[i]->number == *scan) view = static_cast<std::uint32_t>(i);
+    if (const KeptScan* kept = findScan(*snapshot_->state, *scan);
+        kept != nullptr && kept->station().stand == snapshot_->state->stand())
+      position = kept->station().position;
+  }
+  model_->view().markView(view);
+  if (position) examine(position);
+}
+
+void SessionViews::showEdges(EdgeReason reason) {
+  if (!snapshot_ || !snapshot_->plan) return;
+  std::vector<std::uint32_t> patches;
+  const std::vector<PatchOutlook>& outlook = snapshot_->plan->outlook;
+  for (std::size_t patch = 0; patch < outlook.size(); ++patch)
+    if (outlook[patch].reason == reason) patches.push_back(static_cast<std::uint32_t>(patch));
+  model_->view().highlight(patches);
 }
 
 void SessionViews::examine(std::optional<int> position) {

@@ -30,6 +30,10 @@ class SessionViews final : public QObject {
 
   void setTheme(const Theme& theme);
   void setNavigation(NavigationScheme scheme);
+  /// Lights up what a scan brought to the model, and asks about its position; unset for none.
+  void showScan(std::optional<std::int64_t> scan);
+  /// Lights up the void patches that are left for a reason.
+  void showEdges(EdgeReason reason);
   /// Asks about a position; unset for none.
   void examine(std::optional<int> position);
 

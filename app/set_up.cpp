@@ -4,12 +4,22 @@
 #include <cmath>
 #include <utility>
 
+#include "base/errors.h"
 #include "io/placement.h"
 #include "positional_space/scanner_images_cache.h"
 #include "report/memory_note.h"
 #include "scanner/profile_size.h"
 
 namespace vantage {
+namespace {
+
+void requireFirstView(int position, std::size_t positions) {
+  if (positions > 0 && position >= static_cast<int>(positions))
+    throw InvalidInput("the first view is to be taken from position " + std::to_string(position) +
+                       ", but the scanner has the positions 0 to " + std::to_string(positions - 1));
+}
+
+}  // namespace
 
 ObjectOnTable measured(std::shared_ptr<const Mesh> mesh, const ViewingVolume& volume) {
   ObjectOnTable object;
@@ -58,6 +68,7 @@ SharedSetUp prepareSetUp(const SetUpChoice& choice, const std::string& cacheFold
   rig.scanner = choice.scanner;
   setUp->source = profileOf(rig);
   setUp->profile = std::make_shared<const ScannerProfile>(parseProfile(setUp->source));
+  requireFirstView(choice.settings.firstView, setUp->profile->workspace.size());
   if (!isSimulated(choice.rig)) {
     connectDevices(*setUp);
   } else if (!choice.settings.simulation.object.empty()) {

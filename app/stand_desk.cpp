@@ -108,7 +108,7 @@ int StandDesk::stand() const {
 }
 
 bool StandDesk::isOpen() const {
-  return controller_.now() && compositeOf(*controller_.now(), stand()) != kObjectComposite;
+  return controller_.now() && !isOfObject(*controller_.now(), stand());
 }
 
 QString StandDesk::sentence() const {

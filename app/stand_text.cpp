@@ -21,7 +21,7 @@ QString found(const StandAlignment& alignment) {
 }  // namespace
 
 StandRole standRoleOf(const std::vector<Stand>& stands, int stand) {
-  if (stand == 0) return StandRole::Reference;
+  if (stand == referenceOf(stands)) return StandRole::Reference;
   const Stand& of = stands[static_cast<std::size_t>(stand)];
   if (!of.T_object_table) return StandRole::NotAligned;
   if (!of.alignment || !of.alignment->used) return StandRole::Aligned;
@@ -83,8 +83,9 @@ QString standSentence(const std::vector<Stand>& stands, int stand) {
 
 QString ownModelText(const AcquisitionState& state) {
   const int composite = compositeInWork(state);
-  return composite == kObjectComposite ? QString()
-                                       : Text::tr("Stand %1, not put together with the object yet").arg(composite);
+  return composite == objectComposite(state)
+             ? QString()
+             : Text::tr("Stand %1, not put together with the object yet").arg(composite);
 }
 
 QString pictureCaption(const AcquisitionState& state, const QString& caption) {

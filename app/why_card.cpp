@@ -49,7 +49,9 @@ QString planVerdict(const Explanation& why, bool planHolds) {
       return planHolds ? Text::tr("Allowed, but the proposed position shows more.") : Text::tr("Allowed.");
     case Constraint::BelowThreshold:
       return Text::tr("Rejected: what it would show is %1 short of the least that is worth a scan.")
-          .arg(areaText(why.shortBy));
+                 .arg(areaText(why.shortBy)) +
+             (why.overlapArea <= why.leastOverlap ? Text::tr(" It overlaps the model too little to be registered, too.")
+                                                  : QString());
     case Constraint::OverlapShort:
       return Text::tr("Rejected: the overlap with the model is short by %1, so the scan could not be registered.")
           .arg(areaText(why.shortBy));
@@ -61,12 +63,18 @@ QString planVerdict(const Explanation& why, bool planHolds) {
 }
 
 void addVoid(WhyCard& card, const Explanation& why) {
-  card.figures.push_back({Text::tr("Void it would show (o_v)"), areaText(why.promise),
-                          Text::tr("more than F = %1 is worth a scan").arg(areaText(why.terminationThreshold))});
+  const bool probe = why.forecast && why.forecast->probing && why.constraint == Constraint::Chosen;
+  const QString threshold = areaText(why.terminationThreshold);
+  card.figures.push_back(
+      {why.forecast ? Text::tr("New surface, as forecast (o_v)") : Text::tr("Would show (void, o_v)"),
+       areaText(why.promise),
+       probe ? Text::tr("less than F = %1: a probe, as the last scan showed more").arg(threshold)
+             : Text::tr("more than F = %1 is worth a scan").arg(threshold)});
   if (why.tracedVoidArea)
     card.figures.push_back(
         {Text::tr("by positional space"), areaText(why.voidArea), Text::tr("before following the scanner's rays")});
-  card.figures.push_back({Text::tr("Rank"), QString::number(why.rank), Text::tr("by what positions promise")});
+  card.figures.push_back(
+      {Text::tr("Rank"), QString::number(why.rank), Text::tr("by what positions promise, ruled out or not")});
 }
 
 void addRegistration(WhyCard& card, const Explanation& why) {
@@ -85,13 +93,13 @@ void addPatches(WhyCard& card, const Explanation& why) {
   QStringList parts;
   for (std::size_t i = 0; i < kEdgeClasses; ++i)
     if (why.patchesByClass[i] > 0)
-      parts << QStringLiteral("%1 %2").arg(why.patchesByClass[i]).arg(edgeClassText(static_cast<EdgeClass>(i)));
+      parts << QStringLiteral("%1 × %2").arg(why.patchesByClass[i]).arg(edgeClassText(static_cast<EdgeClass>(i)));
   card.figures.push_back(
-      {Text::tr("Void patches it wins"), QString::number(why.patches), parts.join(QStringLiteral(", "))});
+      {Text::tr("Unseen edges it wins"), QString::number(why.patches), parts.join(QStringLiteral(", "))});
 }
 
 QString patchesText(std::size_t count) {
-  return count == 1 ? Text::tr("1 patch") : Text::tr("%1 patches").arg(count);
+  return count == 1 ? Text::tr("1 edge") : Text::tr("%1 edges").arg(count);
 }
 
 void addSights(WhyCard& card, const PositionSight& sight) {
@@ -103,14 +111,17 @@ void addSights(WhyCard& card, const PositionSight& sight) {
       {Visibility::OutOfReach, QT_TRANSLATE_NOOP("WhyCard", "outside the sampling area")}};
   for (const auto& [visibility, text] : rows)
     card.sights.push_back({Text::tr(text), areaText(sight.area(visibility)), patchesText(sight.count(visibility))});
-  const auto blocked = [&](Visibility wanted) -> std::uint32_t {
-    for (const PatchSight& patch : sight.patches)
-      if (patch.visibility == wanted && patch.blocker != kNoIndex) return patch.blocker;
-    return kNoIndex;
-  };
-  for (std::size_t i = 1; i < 3; ++i)
-    if (const std::uint32_t triangle = blocked(rows[i].first); triangle != kNoIndex)
-      card.sights[i].remark += Text::tr(", for one by triangle %1").arg(triangle);
+}
+
+// Thousands apart, as everywhere in the window: from five digits on.
+QString grouped(QString number) {
+  constexpr qsizetype kFewest = 5;
+  const qsizetype first = number.startsWith(QLatin1Char('-')) ? 1 : 0;
+  const qsizetype point = number.indexOf(QLatin1Char('.'));
+  const qsizetype end = point < 0 ? number.size() : point;
+  if (end - first < kFewest) return number;
+  for (qsizetype i = end - 3; i > first; i -= 3) number.insert(i, QChar(0x202F));
+  return number;
 }
 
 QString difference(double value, double other, const QString& more, const QString& less) {
@@ -129,8 +140,12 @@ QString comparisonOf(const Explanation& why, bool planHolds) {
 
 }  // namespace
 
+QString countText(std::size_t count) {
+  return figureText(static_cast<double>(count));
+}
+
 QString figureText(double value, int decimals) {
-  return QLocale::c().toString(value, 'f', decimals);
+  return grouped(QLocale::c().toString(value, 'f', decimals));
 }
 
 QString areaText(double squareMillimetres) {

@@ -27,7 +27,9 @@ struct WhyCard {
 
 /// A number for people: grouped digits, as many decimals as matter.
 [[nodiscard]] QString figureText(double value, int decimals = 0);
-/// The same with its unit.
+/// How many there are of something.
+[[nodiscard]] QString countText(std::size_t count);
+/// An area with its unit.
 [[nodiscard]] QString areaText(double squareMillimetres);
 [[nodiscard]] QString angleText(double radians);
 

@@ -80,15 +80,15 @@ QString edgeReasonText(EdgeReason reason, PlanOutcome outcome) {
 QString edgeClassText(EdgeClass edgeClass) {
   switch (edgeClass) {
     case EdgeClass::OuterJump:
-      return Text::tr("outer jumps");
+      return Text::tr("edge against the background");
     case EdgeClass::InnerJump:
-      return Text::tr("inner jumps");
+      return Text::tr("hidden behind the object");
     case EdgeClass::LineOfSightJump:
-      return Text::tr("line-of-sight jumps");
+      return Text::tr("light or camera blocked");
     case EdgeClass::Regular:
-      return Text::tr("regular");
+      return Text::tr("open border");
     case EdgeClass::Rim:
-      return Text::tr("rim");
+      return Text::tr("rim of the scan");
   }
   return {};
 }

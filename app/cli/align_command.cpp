@@ -71,7 +71,8 @@ std::string candidateText(const StandAlignment& alignment) {
 void announce(const AcquisitionState& state, CommandContext& context) {
   const AcquisitionState object = withObject(state);
   std::string text;
-  for (int stand = 1; stand <= state.stand(); ++stand) {
+  for (int stand = 0; stand <= state.stand(); ++stand) {
+    if (stand == referenceOf(state.stands)) continue;
     text += standLine(state, stand) + "\n";
     if (const auto& alignment = state.stands[static_cast<std::size_t>(stand)].alignment)
       text += candidateText(*alignment);

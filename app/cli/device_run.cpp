@@ -33,7 +33,8 @@ void runDevices(Session& session, const DeviceRun& with, const std::string& out,
     context.note("the table was left in a move from position " + std::to_string(table.stand.position) +
                  " to position " + std::to_string(*table.underWayTo) +
                  ", so it is taken to stand at the first; where it really stands, the next scan that fits will tell");
-  SessionRun(session, out, context, courseOf(session, with)).run(devices, byHand || with.events ? &person : nullptr);
+  const std::optional<StandCourse> course = with.positions.empty() ? courseOf(session, with) : std::nullopt;
+  SessionRun(session, out, context, course, with.positions).run(devices, byHand || with.events ? &person : nullptr);
 }
 
 }  // namespace vantage

@@ -22,8 +22,9 @@ struct PlanArguments {
 };
 
 std::string scoreText(const PositionScore& s) {
-  std::string text = "position " + std::to_string(s.position) + ": void " + number(promise(s), 1) + " mm2, overlap " +
-                     number(s.overlapArea, 0) + " mm2, " + std::string(name(s.constraint));
+  std::string text = "position " + std::to_string(s.position) + (s.uncorrected ? ": new surface " : ": void ") +
+                     number(promise(s), 1) + " mm2, overlap " + number(s.overlapArea, 0) + " mm2, " +
+                     std::string(name(s.constraint));
   if (s.constraint == Constraint::BelowThreshold || s.constraint == Constraint::OverlapShort)
     text += ", short by " + number(s.shortBy, 1) + " mm2";
   if (s.constraint == Constraint::PoseUncertain) text += ", short by " + number(s.shortBy, 2) + " mm";
@@ -38,6 +39,7 @@ nlohmann::ordered_json planJson(const Plan& plan, const PlanArguments& args) {
       {"table_alone", plan.tableAlone},         {"termination_threshold_mm2", plan.terminationThreshold},
       {"void_left_mm2", plan.voidLeft},         {"angular_error_deg", degrees(plan.angularError)},
       {"void_patches", voidJson(plan)}};
+  if (plan.forecast) json["forecast"] = forecastJson(*plan.forecast);
   if (args.why) {
     json["scores"] = nlohmann::ordered_json::array();
     for (const PositionScore& s : plan.scores) json["scores"].push_back(scoreJson(s));
@@ -53,7 +55,10 @@ std::string planText(const Plan& plan, const PlanArguments& args) {
                          : std::string(name(plan.outcome)) + "\n";
   text += "t = " + number(plan.leastOverlap, 1) + " mm2, F = " + number(plan.terminationThreshold, 1) + " mm2\n";
   if (plan.tableAlone) text += "nothing overlaps the model enough: the table alone will place the view\n";
-  if (plan.voidLeft > 0.0)
+  if (plan.forecast && plan.forecast->left)
+    text += "surface that positions would still show, as forecast: " + number(plan.forecast->left->area, 1) + " mm2 (" +
+            number(plan.forecast->left->least, 1) + " to " + number(plan.forecast->left->most, 1) + ")\n";
+  else if (plan.voidLeft > 0.0)
     text += "views that are still possible would show " + number(plan.voidLeft, 1) + " mm2 in all\n";
   if (args.why)
     for (const PositionScore& s : plan.scores) text += scoreText(s);

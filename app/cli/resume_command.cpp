@@ -1,5 +1,7 @@
 #include <filesystem>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "acquisition/acquisition.h"
 #include "base/errors.h"
@@ -21,6 +23,7 @@ struct ResumeArguments {
   std::string session;
   std::string out;
   RigArguments rig;
+  std::vector<int> positions;
   bool events = false;
   ReadingArguments reading;
   SettingsArguments given;
@@ -42,9 +45,17 @@ void goOn(Session& session, const ResumeArguments& args, const std::string& out,
     throw InvalidInput(session.path() +
                        ": was not scanned by the simulated scanner: say with --sensor and --table, or "
                        "--rig, what is there to go on with");
-  DeviceRun with{file.rig, nullptr, args.reading.options(), args.events};
+  DeviceRun with{file.rig, nullptr, args.reading.options(), args.events, {}, args.positions};
   if (isSimulated(file.rig)) with.object = std::make_shared<const Mesh>(session.object(context.progress()));
   runDevices(session, with, out, context);
+}
+
+void checkPositions(const ResumeArguments& args, const ScannerProfile& profile) {
+  const auto count = static_cast<int>(profile.workspace.size());
+  for (const int position : args.positions)
+    if (position < 0 || position >= count)
+      throw InvalidInput("--positions names position " + std::to_string(position) +
+                         ", the workspace has positions 0 to " + std::to_string(count - 1));
 }
 
 void run(const ResumeArguments& args, CommandContext& context) {
@@ -52,6 +63,8 @@ void run(const ResumeArguments& args, CommandContext& context) {
   const auto import = interruptedImport(session);
   if (import && !args.out.empty())
     throw InvalidInput("--out is for acquisitions: an import writes into its session, export writes the model");
+  if (import && !args.positions.empty())
+    throw InvalidInput("--positions is for acquisitions: an import was interrupted, and its scans were all taken");
   if (!args.given.empty()) changeSettings(session, args.given.appliedToSession(session.state()->settings), context);
   const AcquisitionState& state = *session.state();
   const std::size_t scans = import ? import->scans.size() - 1 : state.scans.size();
@@ -62,6 +75,7 @@ void run(const ResumeArguments& args, CommandContext& context) {
         args.session +
         ": has no scanner profile, so nothing can be scanned: it is of recorded scans, or the profile was "
         "lost");
+  checkPositions(args, *session.profile());
   const std::string beside = std::filesystem::absolute(args.session).parent_path().string();
   const std::string out = args.out.empty() ? beside : args.out;
   AcquisitionResults(out).mustBeReplaceable({session.state()->settings.simulation.object});
@@ -78,6 +92,10 @@ void addResumeCommand(CLI::App& app, CommandContext& context) {
       app.add_subcommand("resume", "Go on with an interrupted import, or with an acquisition, with the devices named");
   command->add_option("session", args->session, "Session file")->required();
   command->add_option("--out", args->out, "Folder for model and report; beside the session when not given");
+  command
+      ->add_option("--positions", args->positions,
+                   "Scan from these positions and no others, in this order, whatever the plan says; also after the end")
+      ->delimiter(',');
   args->rig.addDevicesTo(*command);
   command->add_flag("--events", args->events,
                     "Say what goes on as JSON lines on standard output, for a program that turns the table");

@@ -50,7 +50,7 @@ std::string viewLine(const AcquisitionState& state, const KeptScan& scan) {
   if (record.planAfter && record.planAfter->outcome == PlanOutcome::Found)
     line += ", next " + std::to_string(record.planAfter->position.value()) + " for " +
             number(promise(record.planAfter->scores[static_cast<std::size_t>(record.planAfter->position.value())]), 0) +
-            " mm2 of void";
+            (record.planAfter->forecast ? " mm2 of new surface" : " mm2 of void");
   return line;
 }
 
@@ -127,11 +127,13 @@ void changeSettings(Session& session, const AcquisitionSettings& settings, Comma
   Acquisition(session, tools).carryOut(ChangeSettings{settings}, context.progress().part(0.5, 1.0));
 }
 
-SessionRun::SessionRun(Session& session, std::string out, CommandContext& context, std::optional<StandCourse> course)
+SessionRun::SessionRun(Session& session, std::string out, CommandContext& context, std::optional<StandCourse> course,
+                       std::vector<int> positions)
     : session_(session),
       results_(std::move(out)),
       context_(context),
       course_(std::move(course)),
+      positions_(std::move(positions)),
       last_(session.state()) {}
 
 void SessionRun::run(const DeviceSetUp& devices, PersonAtTable* person) {
@@ -189,7 +191,7 @@ void SessionRun::takeLast(Acquisition& acquisition, PersonAtTable& person) {
 }
 
 void SessionRun::acquireAll(const DeviceSetUp& devices, PersonAtTable* person) {
-  if (last_->termination != Termination::Running && !course_) return;
+  if (last_->termination != Termination::Running && !course_ && positions_.empty()) return;
   const auto images = std::make_shared<const ScannerImages>(loadScannerImages(
       *session_.profile(), cacheDirectory(), context_.progress().part(0.0, 1.0, "positional space of the scanner")));
   do acquireStand(devices, images, person);
@@ -202,13 +204,16 @@ Acquisition::StepObserver SessionRun::observer(PersonAtTable* person) {
     last_ = session_.state();
     if (std::holds_alternative<AddScan>(command)) tellLast(person);
     if (const auto* align = std::get_if<AlignStand>(&command)) context_.note(standLine(*last_, align->stand));
+    if (const auto* reference = std::get_if<TakeReference>(&command))
+      context_.note("the object is known by stand " + std::to_string(reference->stand) +
+                    " from here on: it shows much more of it");
     if (const auto* chosen = std::get_if<ChooseStandPose>(&command)) context_.note(standLine(*last_, chosen->stand));
   };
 }
 
 // Acquires the stand of now to its end, and finds out how the object stands in it.
 void SessionRun::acquireStand(const DeviceSetUp& devices, const SharedImages& images, PersonAtTable* person) {
-  if (last_->termination != Termination::Running && !hasUntriedStand(*last_)) return;
+  if (last_->termination != Termination::Running && !hasUntriedStand(*last_) && positions_.empty()) return;
   // Scans that were taken before have moved a simulated turntable, whatever became of them.
   Rig rig = DeviceFactory().open(withObjectAsItStands(devices, *last_), session_.scanCount(), context_.progress());
   if (std::holds_alternative<RealDevices>(devices)) rig = remarked(rig, session_);
@@ -216,6 +221,7 @@ void SessionRun::acquireStand(const DeviceSetUp& devices, const SharedImages& im
   if (const auto unused = session_.unusedScan(); unused && unused->image->station.stand == last_->stand())
     context_.note("scan " + std::to_string(unused->number) + " was not yet added: going on with it");
   Acquisition acquisition(session_, {rig, images}, observer(person));
+  if (!positions_.empty()) return scanFromPositions(acquisition);
   std::set<int> skipped;
   bool goesOn = true;
   while (goesOn) {
@@ -223,6 +229,17 @@ void SessionRun::acquireStand(const DeviceSetUp& devices, const SharedImages& im
     if (course_) static_cast<void>(findPlaces(acquisition, context_.progress()));
     goesOn = goesOn && last_->termination == Termination::Running;
   }
+}
+
+// Where the plan then says that nothing is left, the acquisition has ended; else the next run goes on.
+void SessionRun::scanFromPositions(Acquisition& acquisition) {
+  for (const int position : positions_) {
+    acquisition.carryOut(ChoosePosition{position}, context_.progress());
+    acquisition.scanNext(context_.progress());
+  }
+  const NextScan next = acquisition.next();
+  if (const auto* ended = std::get_if<Ended>(&next))
+    acquisition.carryOut(Finish{ended->termination}, context_.progress());
 }
 
 // Scans until the end, or until a stand that is not known yet may find its place. @return whether the stand shows
@@ -283,7 +300,8 @@ void SessionRun::announce() {
     text += "left: " + r["edges"].dump() + " edges (" + number(r["length_mm"].get<double>(), 0) + " mm) " +
             r["reason"].get<std::string>() + "\n";
   if (last_->stand() > 0)
-    for (int stand = 1; stand <= last_->stand(); ++stand) text += standLine(*last_, stand) + "\n";
+    for (int stand = 0; stand <= last_->stand(); ++stand)
+      if (stand != referenceOf(last_->stands)) text += standLine(*last_, stand) + "\n";
   text += "written: " + results_.file("model.ply") + ", " + results_.file("model.stl") + ", " +
           results_.file("report.json") + ", " + session_.path() + "\n";
   context_.result(report_, text, warningsOf(withObject(*last_)));

@@ -4,6 +4,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "acquisition/acquisition.h"
 #include "acquisition/stand_course.h"
@@ -21,7 +22,9 @@ class SessionRun {
  public:
   /// @param out folder for the results, which exists; what is there may be replaced. All must outlive it.
   /// @param course how it goes from stand to stand; nothing: the stand of now is all
-  SessionRun(Session& session, std::string out, CommandContext& context, std::optional<StandCourse> course = {});
+  /// @param positions scans are taken from these and no others, in order, whatever the plan says; empty: as is planned
+  SessionRun(Session& session, std::string out, CommandContext& context, std::optional<StandCourse> course = {},
+             std::vector<int> positions = {});
 
   /// @param person who turns the table, when one does; who tells a program what goes on
   /// @throws InvalidInput, IoError, DeviceError, Cancelled: the session can be resumed
@@ -33,6 +36,7 @@ class SessionRun {
   void acquireAll(const DeviceSetUp& devices, PersonAtTable* person);
   void acquireStand(const DeviceSetUp& devices, const SharedImages& images, PersonAtTable* person);
   bool goOn(Acquisition& acquisition, std::set<int>& skipped, PersonAtTable* person);
+  void scanFromPositions(Acquisition& acquisition);
   [[nodiscard]] bool turnOver(const SharedImages& images);
   [[nodiscard]] Acquisition::StepObserver observer(PersonAtTable* person);
   void tellLast(PersonAtTable* person);
@@ -45,6 +49,7 @@ class SessionRun {
   AcquisitionResults results_;
   CommandContext& context_;
   std::optional<StandCourse> course_;
+  std::vector<int> positions_;
   std::shared_ptr<const AcquisitionState> last_;
   nlohmann::ordered_json report_;
 };

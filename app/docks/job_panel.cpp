@@ -35,7 +35,8 @@ JobPanel::JobPanel(JobRunner& jobs, QWidget* parent)
   // As high when it is idle, so that nothing jumps.
   setFixedHeight(cancel_->sizeHint().height() + 6);
   bar_->setRange(0, 1000);
-  bar_->setFixedWidth(220);
+  bar_->setFixedWidth(180);
+  text_->setMinimumWidth(1);
   bar_->setTextVisible(false);
   bar_->setAccessibleName(tr("Progress"));
   cancel_->setText(tr("Cancel"));
@@ -61,13 +62,19 @@ JobPanel::JobPanel(JobRunner& jobs, QWidget* parent)
   refresh();
 }
 
+void JobPanel::setOutlook(const QString& outlook) {
+  outlook_ = outlook;
+  refresh();
+}
+
 void JobPanel::refresh() {
   const bool busy = !running_.isEmpty();
   bar_->setVisible(busy);
   cancel_->setVisible(busy);
   if (!busy) return text_->setText(tr("Ready"));
   const Shown& shown = running_.last();
-  text_->setText(shown.step.isEmpty() ? shown.title : tr("%1: %2").arg(shown.title, stepText(shown.step)));
+  const QString what = shown.step.isEmpty() ? shown.title : tr("%1: %2").arg(shown.title, stepText(shown.step));
+  text_->setText(outlook_.isEmpty() ? what : tr("%1; %2").arg(what, outlook_));
   bar_->setValue(static_cast<int>(1000.0 * shown.fraction));
 }
 

@@ -19,6 +19,10 @@ class JobPanel final : public QWidget {
  public:
   explicit JobPanel(JobRunner& jobs, QWidget* parent = nullptr);
 
+ public slots:
+  /// What is known of how long it still takes; empty for nothing.
+  void setOutlook(const QString& outlook);
+
  private:
   void refresh();
 
@@ -29,6 +33,7 @@ class JobPanel final : public QWidget {
   };
   JobRunner& jobs_;
   QMap<int, Shown> running_;
+  QString outlook_;
   QLabel* text_;
   QProgressBar* bar_;
   QToolButton* cancel_;

@@ -1,7 +1,6 @@
 #include "docks/model_pane.h"
 
 #include <QComboBox>
-#include <QHBoxLayout>
 #include <QMenu>
 #include <QSignalBlocker>
 #include <QToolButton>
@@ -9,6 +8,7 @@
 #include <algorithm>
 
 #include "integration/colouring.h"
+#include "window/flow_layout.h"
 
 namespace vantage {
 ModelPane::ModelPane(const SurfaceMaker& surfaces, const std::shared_ptr<GeometryStore>& store, QWidget* parent)
@@ -16,7 +16,7 @@ ModelPane::ModelPane(const SurfaceMaker& surfaces, const std::shared_ptr<Geometr
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
-  auto* bar = new QHBoxLayout;
+  auto* bar = new FlowLayout(6);
   bar->setContentsMargins(6, 4, 6, 4);
   colouring_ = addChoice(*bar, tr("Colour of the surface"), {tr("Plain"), tr("Confidence"), tr("View"), tr("Age")},
                          [this](ModelViewOptions& o, int i) {
@@ -24,14 +24,13 @@ ModelPane::ModelPane(const SurfaceMaker& surfaces, const std::shared_ptr<Geometr
                          });
   for (int i = 0; i < colouring_->count(); ++i) colouring_->setItemData(i, i);  // as ModelColouring has them
   colouring_->setObjectName(QStringLiteral("colouring"));
-  addChoice(*bar, tr("Colour of the void"), {tr("Void by edge class"), tr("Void by state")},
+  addChoice(*bar, tr("Colour of the unseen edges"), {tr("Edges by kind"), tr("Edges by state")},
             [](ModelViewOptions& o, int i) { o.voidColouring = static_cast<VoidColouring>(i); });
-  addSwitch(*bar, tr("Void"), tr("Void patches: where the unseen begins"), &ModelViewOptions::voidPatches);
+  addSwitch(*bar, tr("Unseen"), tr("Unseen edges: where the model ends and the unseen begins (void patches)"), &ModelViewOptions::voidPatches);
   addSwitch(*bar, tr("Last rays"), tr("Rays of the last view"), &ModelViewOptions::currentRays);
   addSwitch(*bar, tr("Next rays"), tr("Rays of the proposed view, or of the position asked about"),
             &ModelViewOptions::proposedRays);
   addSwitch(*bar, tr("Table"), tr("Turntable with its scale"), &ModelViewOptions::turntable);
-  bar->addStretch();
   addCamera(*bar);
   column->addLayout(bar);
   notice_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
@@ -63,7 +62,7 @@ void ModelPane::showColouring() {
   colouring_->setCurrentIndex(std::max(colouring_->findData(static_cast<int>(wanted)), 0));
 }
 
-QComboBox* ModelPane::addChoice(QHBoxLayout& bar, const QString& name, const QStringList& options,
+QComboBox* ModelPane::addChoice(QLayout& bar, const QString& name, const QStringList& options,
                                 const std::function<void(ModelViewOptions&, int)>& apply) {
   auto* box = new QComboBox;
   box->addItems(options);
@@ -78,12 +77,13 @@ QComboBox* ModelPane::addChoice(QHBoxLayout& bar, const QString& name, const QSt
   return box;
 }
 
-void ModelPane::addSwitch(QHBoxLayout& bar, const QString& text, const QString& help, bool ModelViewOptions::*value) {
+void ModelPane::addSwitch(QLayout& bar, const QString& text, const QString& help, bool ModelViewOptions::*value) {
   auto* button = new QToolButton;
   button->setText(text);
   button->setToolTip(help);
   button->setAccessibleName(help);
   button->setCheckable(true);
+  button->setProperty("layer", true);
   button->setChecked(view_->options().*value);
   connect(button, &QToolButton::toggled, this, [this, value](bool on) {
     ModelViewOptions changed = view_->options();
@@ -93,7 +93,7 @@ void ModelPane::addSwitch(QHBoxLayout& bar, const QString& text, const QString& 
   bar.addWidget(button);
 }
 
-void ModelPane::addCamera(QHBoxLayout& bar) {
+void ModelPane::addCamera(QLayout& bar) {
   auto* button = new QToolButton;
   button->setText(tr("Camera"));
   button->setAccessibleName(tr("Camera"));

@@ -5,7 +5,7 @@
 #include "views/model_view.h"
 
 class QComboBox;
-class QHBoxLayout;
+class QLayout;
 class QToolButton;
 
 namespace vantage {
@@ -27,10 +27,10 @@ class ModelPane final : public QWidget {
   void noticeClicked();
 
  private:
-  QComboBox* addChoice(QHBoxLayout& bar, const QString& name, const QStringList& options,
+  QComboBox* addChoice(QLayout& bar, const QString& name, const QStringList& options,
                        const std::function<void(ModelViewOptions&, int)>& apply);
-  void addSwitch(QHBoxLayout& bar, const QString& text, const QString& help, bool ModelViewOptions::*value);
-  void addCamera(QHBoxLayout& bar);
+  void addSwitch(QLayout& bar, const QString& text, const QString& help, bool ModelViewOptions::*value);
+  void addCamera(QLayout& bar);
   void offer(ModelColouring colouring, const QString& text, bool offered);
   void showColouring();
 

@@ -1,8 +1,9 @@
 #include "docks/positional_pane.h"
 
 #include <QComboBox>
-#include <QHBoxLayout>
 #include <QVBoxLayout>
+
+#include "window/flow_layout.h"
 
 namespace vantage {
 namespace {
@@ -32,11 +33,10 @@ PositionalPane::PositionalPane(const SurfaceMaker& surfaces, const std::shared_p
   direction_->addItem(tr("All directions"));
   for (const Direction& direction : kDirections) direction_->addItem(tr(direction.text));
   direction_->setAccessibleName(tr("Direction"));
-  auto* bar = new QHBoxLayout;
+  auto* bar = new FlowLayout(6);
   bar->setContentsMargins(6, 4, 6, 4);
   bar->addWidget(kind_);
   bar->addWidget(direction_);
-  bar->addStretch();
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);

@@ -11,10 +11,11 @@ namespace {
 QString caption(const Moment& moment) {
   if (!moment.position) return moment.text + QStringLiteral("\n ");
   const QString position = QString::number(*moment.position);
+  const QString scan = QString::number(moment.scan.value_or(0));
   if (moment.rejected)
-    return QCoreApplication::translate("TimeLine", "Scan from position %1\ndid not fit").arg(position);
-  return QCoreApplication::translate("TimeLine", "View %1 · position %2\n+%3")
-      .arg(QString::number(moment.views), position, areaText(moment.newArea));
+    return QCoreApplication::translate("TimeLine", "Scan %1 · position %2\ndid not fit").arg(scan, position);
+  return QCoreApplication::translate("TimeLine", "Scan %1 · position %2\n+%3")
+      .arg(scan, position, areaText(moment.newArea));
 }
 
 }  // namespace
@@ -36,6 +37,11 @@ TimeLine::TimeLine(SessionController& controller, QWidget* parent)
   connect(&controller, &SessionController::shownChanged, this, &TimeLine::mark);
 }
 
+void TimeLine::setTheme(const Theme& theme) {
+  theme_ = &theme;
+  refresh();
+}
+
 void TimeLine::refresh() {
   const QSignalBlocker quiet(this);
   clear();
@@ -48,6 +54,7 @@ void TimeLine::refresh() {
     item->setFont(font);
     item->setSizeHint(QFontMetrics(font).boundingRect(QRect(0, 0, 400, 100), Qt::AlignCenter, caption(moment)).size() +
                       QSize(20, 12));
+    if (moment.rejected) item->setForeground(theme_->threshold);
     if (moment.undone) item->setForeground(palette().color(QPalette::Disabled, QPalette::Text));
   }
   stands_->setSpans(standSpans(controller_.present().moments(), controller_.present().cursor()));

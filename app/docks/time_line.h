@@ -2,6 +2,7 @@
 
 #include <QListWidget>
 
+#include "look/theme.h"
 #include "session_controller.h"
 
 namespace vantage {
@@ -18,6 +19,7 @@ class TimeLine final : public QListWidget {
   explicit TimeLine(SessionController& controller, QWidget* parent = nullptr);
 
   [[nodiscard]] QSize sizeHint() const override { return {600, 78 + stripHeight()}; }
+  void setTheme(const Theme& theme);
   [[nodiscard]] QSize minimumSizeHint() const override { return {200, 74 + stripHeight()}; }
 
  protected:
@@ -31,6 +33,7 @@ class TimeLine final : public QListWidget {
 
   SessionController& controller_;
   StandStrip* stands_;
+  const Theme* theme_ = &lightTheme();
 };
 
 }  // namespace vantage

@@ -7,6 +7,11 @@
 #include "why_card.h"
 
 namespace vantage {
+namespace {
+
+constexpr int kLeastWidth = 240;
+
+}  // namespace
 
 WhyPanel::WhyPanel(PositionInspector& inspector, QWidget* parent)
     : QScrollArea(parent),
@@ -14,13 +19,12 @@ WhyPanel::WhyPanel(PositionInspector& inspector, QWidget* parent)
       title_(makeLabel({}, "title")),
       verdict_(makeLabel({})),
       figures_(new FigureTable),
-      sightsTitle_(makeLabel(tr("Void patches from there"), "section")),
+      sightsTitle_(makeLabel(tr("Unseen edges from there"), "section")),
       sights_(new FigureTable),
       comparison_(makeLabel({})),
       picture_(new ScannerPictureView) {
   setWidgetResizable(true);
   setFrameShape(QFrame::NoFrame);
-  setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   auto* content = new QWidget;
   auto* column = new QVBoxLayout(content);
   for (QWidget* part : {static_cast<QWidget*>(title_), static_cast<QWidget*>(verdict_), static_cast<QWidget*>(figures_),
@@ -29,7 +33,7 @@ WhyPanel::WhyPanel(PositionInspector& inspector, QWidget* parent)
     column->addWidget(part);
   column->addStretch();
   picture_->setMinimumHeight(220);
-  setMinimumWidth(330);
+  setMinimumWidth(kLeastWidth);
   setWidget(content);
   connect(&inspector, &PositionInspector::changed, this, &WhyPanel::refresh);
   refresh();

@@ -17,14 +17,17 @@ FieldTable<Preferences> preferenceFields() {
   using F = Field<Preferences>;
   return {
       {"theme", Text::tr("Theme"), Text::tr("Colours of the window and of the views."),
-       F::Choice{&Preferences::theme, {Text::tr("Light"), Text::tr("Dark")}}},
+       F::Choice{&Preferences::theme, {Text::tr("Light"), Text::tr("Dark"), Text::tr("As the desktop")}}},
       {"navigation", Text::tr("Mouse"), Text::tr("Which program the mouse buttons in the views follow."),
-       F::Choice{&Preferences::navigation, {"MeshLab", "CloudCompare", "Blender", "ParaView"}}},
+       F::Choice{&Preferences::navigation,
+                 {"MeshLab", "CloudCompare", "Blender", "ParaView", Text::tr("Upright: the table stays level")}}},
       {"threads", Text::tr("Threads"),
        Text::tr("Processors that computing may use from the next start on; 0 takes all. Results never depend on it."),
        F::Whole{&Preferences::threads, 0, 256, {}}},
       {"reopen", Text::tr("Go on where I was"), Text::tr("Open the session of last time at start if it was not ended."),
-       F::Switch{&Preferences::reopen}}};
+       F::Switch{&Preferences::reopen}},
+      {"sound", Text::tr("Sound"), Text::tr("Sound when scanning has ended or waits for you."),
+       F::Switch{&Preferences::sound}}};
 }
 
 Preferences loadPreferences() {

@@ -6,10 +6,11 @@ namespace vantage {
 
 /// What an operator sets once, for all sessions.
 struct Preferences {
-  int theme = 0;       ///< light, dark
-  int navigation = 0;  ///< NavigationScheme
+  int theme = 0;       ///< light, dark, as the desktop
+  int navigation = 4;  ///< NavigationScheme
   int threads = 0;     ///< that a job may use; 0: all of the machine
   bool reopen = true;  ///< the session of last time, if it was not ended
+  bool sound = true;   ///< when scanning has ended or waits for somebody
 };
 
 [[nodiscard]] FieldTable<Preferences> preferenceFields();

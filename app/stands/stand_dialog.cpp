@@ -108,7 +108,7 @@ void StandDialog::connectParts() {
 
 bool StandDialog::isKnown() const {
   const SharedState& now = controller_.now();
-  return now && stand_ <= now->stand() && compositeOf(*now, stand_) == kObjectComposite;
+  return now && stand_ <= now->stand() && isOfObject(*now, stand_);
 }
 
 std::shared_ptr<const StandAlignment> StandDialog::alignment() const {

@@ -10,6 +10,7 @@
 #include "ending_text.h"
 #include "form_parts.h"
 #include "geometry/measures.h"
+#include "outlook_text.h"
 #include "report/areas_known.h"
 #include "stand_desk.h"
 #include "stand_text.h"
@@ -31,7 +32,7 @@ AcquirePage::AcquirePage(SessionController& controller, StandDesk& stands, QWidg
       mode_(new QTabBar),
       failure_(makeLabel({}, "warning")),
       again_(makeButton(tr("Tr&y again"), QStringLiteral("again"), tr("Scan from the same position once more."))),
-      byHand_(makeButton(tr("Turn by &hand"), QStringLiteral("byHand"),
+      byHand_(makeButton(tr("Turn it &myself"), QStringLiteral("byHand"),
                          tr("Go on without the table: you turn the object as the dial says."))),
       status_(makeLabel({})),
       figures_(new FigureTable),
@@ -39,14 +40,14 @@ AcquirePage::AcquirePage(SessionController& controller, StandDesk& stands, QWidg
       run_(makeButton(tr("&Run"), QStringLiteral("run"), tr("Scan until nothing is left to see."), true)),
       pause_(makeButton(tr("&Pause"), QStringLiteral("pause"), tr("Stop after the scan that is under way."))),
       step_(makeButton(tr("&One scan"), QStringLiteral("step"), tr("Take the next scan and stop."))),
-      stop_(makeButton(tr("&Stop"), QStringLiteral("stop"),
+      stop_(makeButton(tr("S&top"), QStringLiteral("stop"),
                        tr("Stop at once; the scan that is under way leaves no trace."))),
-      scan_(makeButton(tr("The table is turned: &scan"), QStringLiteral("scan"), tr("Scan from the position shown."),
+      scan_(makeButton(tr("The table &is turned: scan"), QStringLiteral("scan"), tr("Scan from the position shown."),
                        true)),
-      more_(makeButton(tr("&Allow %1 more views").arg(kMoreViews), QStringLiteral("more"),
+      more_(makeButton(tr("Allow %1 &further views").arg(kMoreViews), QStringLiteral("more"),
                        tr("Raise the greatest number of views, so that you can go on."))),
-      end_(makeButton(tr("&End here"), QStringLiteral("end"), tr("End the acquisition with what has been scanned."))),
-      turnOver_(makeButton(tr("&Turn over…"), QStringLiteral("turnOver"),
+      end_(makeButton(tr("En&d here"), QStringLiteral("end"), tr("End the acquisition with what has been scanned."))),
+      turnOver_(makeButton(tr("T&urn over…"), QStringLiteral("turnOver"),
                            tr("Put the object on another side, to scan what this stand hides."))),
       stands_(stands) {
   build();
@@ -128,6 +129,14 @@ void AcquirePage::entered() {
 }
 
 QString AcquirePage::status() const {
+  const SharedState& now = controller().now();
+  const QString outlook = now ? outlookText(*now) : QString();
+  return outlook.isEmpty()
+             ? stage()
+             : stage() + QLatin1Char('\n') + outlook.left(1).toUpper() + outlook.mid(1) + QLatin1Char('.');
+}
+
+QString AcquirePage::stage() const {
   switch (controller().activity()) {
     case Activity::Running:
       return stepText(controller().stepOfWork()).isEmpty()
@@ -182,7 +191,8 @@ void AcquirePage::refresh() {
   for (QPushButton* button : {run_, pause_}) button->setVisible(!assisted() || asTheyCome);
   step_->setVisible(!assisted());
   scan_->setVisible(assisted());
-  run_->setText(asTheyCome ? tr("Take scans as they &come") : complete() ? tr("&Go on") : tr("&Run"));
+  const bool begun = now && !now->scans.empty();
+  run_->setText(asTheyCome ? tr("Take scans as they &come") : begun ? tr("&Go on") : tr("&Run"));
   setHelp(*run_, asTheyCome ? tr("Turn the table as the dial says and scan with the scanner's own program: whatever it "
                                  "writes is taken, and the next position is shown.")
                             : tr("Scan until nothing is left to see."));
@@ -218,7 +228,7 @@ void AcquirePage::refreshFigures() {
   if (!plan || !plan->voids) return;
   const auto open =
       std::count_if(plan->outlook.begin(), plan->outlook.end(), [](const auto& o) { return !o.answered; });
-  figures_->add(tr("Edges of the unseen"), QString::number(plan->voids->patches.size()),
+  figures_->add(tr("Unseen edges"), countText(plan->voids->patches.size()),
                 tr("%1 still attract views").arg(open));
 }
 

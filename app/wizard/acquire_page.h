@@ -34,6 +34,7 @@ class AcquirePage final : public WizardPage {
   void refresh();
   void refreshFigures();
   [[nodiscard]] QString status() const;
+  [[nodiscard]] QString stage() const;
   [[nodiscard]] bool assisted() const;
 
   QTabBar* mode_;

@@ -45,7 +45,7 @@ CalibratePage::CalibratePage(SessionController& controller, QWidget* parent)
       calibrate_(makeButton(tr("&Calibrate"), QStringLiteral("calibrateTable"),
                             tr("Turn the table step by step, scan at every step, and find its axis from the scans."),
                             true)),
-      stop_(makeButton(tr("&Stop"), QStringLiteral("stopCalibration"), tr("Stop at once; nothing is changed."))),
+      stop_(makeButton(tr("S&top"), QStringLiteral("stopCalibration"), tr("Stop at once; nothing is changed."))),
       verdict_(makeLabel({})),
       figures_(new FigureTable),
       findings_(makeLabel({})),

@@ -13,6 +13,13 @@
 #include "wording.h"
 
 namespace vantage {
+namespace {
+
+QString unreadText(const QString& failure) {
+  return CheckPage::tr("Scanner and object could not be read: %1.").arg(failure);
+}
+
+}  // namespace
 
 CheckPage::CheckPage(SessionController& controller, QWidget* parent)
     : WizardPage(controller, parent),
@@ -56,6 +63,8 @@ CheckPage::CheckPage(SessionController& controller, QWidget* parent)
 }
 
 QString CheckPage::whatNext() const {
+  if (!controller().setUpFailure().isEmpty())
+    return tr("Go back and choose something else. Nothing has been scanned yet.");
   if (!controller().setUp()) return tr("Scanner and object are being read.");
   if (calibrates()) return tr("Where the table stands before the scanner can be measured, or is taken as it is known.");
   return tr("The acquisition page opens. Scanning begins when you say so.");
@@ -72,6 +81,11 @@ bool CheckPage::calibrates() const {
 
 bool CheckPage::complete() const {
   return controller().setUp() && (controller().setUp()->devices || controller().hasSession());
+}
+
+QString CheckPage::whyNotNext() const {
+  if (!complete() && !controller().setUpFailure().isEmpty()) return unreadText(controller().setUpFailure());
+  return WizardPage::whyNotNext();
 }
 
 void CheckPage::entered() {
@@ -108,7 +122,10 @@ void CheckPage::refresh() {
   devices_->setVisible(real);
   allow(*turn_, controller().permissions().whyNotTestTurn());
   if (!setUp) {
-    verdict_->setText(controller().activity() == Activity::Preparing ? tr("Reading…") : tr("Nothing is chosen yet."));
+    const QString& failure = controller().setUpFailure();
+    verdict_->setText(!failure.isEmpty()                               ? unreadText(failure)
+                      : controller().activity() == Activity::Preparing ? tr("Reading…")
+                                                                       : tr("Nothing is chosen yet."));
   } else if (!setUp->object) {
     const QString why = controller().permissions().whyNoDevices();
     verdict_->setText(why.isEmpty() ? tr("What stands before the scanner is seen by its first scan.") : why);
@@ -119,10 +136,10 @@ void CheckPage::refresh() {
     figures_->add(tr("Object, height"), figureText(setUp->object->height, 1) + tr(" mm"));
     figures_->add(tr("Object, lowest point"), figureText(setUp->object->lowest, 1) + tr(" mm"), tr("0 is the table"));
   }
-  setRole(*verdict_, outside ? "warning" : "");
+  setRole(*verdict_, outside || !controller().setUpFailure().isEmpty() ? "warning" : "");
   if (setUp && setUp->profile) {
     figures_->add(tr("Positions of the scanner"), QString::number(setUp->profile->workspace.size()));
-    figures_->add(tr("Ranging rays per scan"), QString::number(setUp->profile->rays->size()));
+    figures_->add(tr("Ranging rays per scan"), countText(setUp->profile->rays->size()));
   }
   emit changed();
 }
@@ -135,8 +152,12 @@ void CheckPage::refreshTestTurn() {
     return;
   }
   turnFigures_->add(tr("Turn by the profile"), angleText(result->expected));
-  turnFigures_->add(tr("Turn measured"), figureText(degrees(result->measured), 2) + QStringLiteral("°"));
-  turnFigures_->add(tr("Axis moved by"), figureText(result->axisOffset, 2) + tr(" mm"));
+  turnFigures_->add(tr("Turn measured"), figureText(degrees(result->measured), 2) + QStringLiteral("°"),
+                    tr("%1° off, up to %2° are as expected")
+                        .arg(figureText(degrees(std::abs(result->measured - result->expected)), 2),
+                             figureText(degrees(result->angleLimit()), 2)));
+  turnFigures_->add(tr("Axis moved by"), figureText(result->axisOffset, 2) + tr(" mm"),
+                    tr("up to %1 mm are as expected").arg(figureText(result->offsetLimit(), 2)));
   const bool failed = result->registration.verdict == Verdict::Failed;
   const bool byHand = isGuess(result->errors);
   const bool off = !failed && !result->asExpected();
@@ -156,7 +177,7 @@ void CheckPage::refreshTestTurn() {
                      figureText(degrees(TestTurn::kScanAngle * TestTurn::kSigmas), 1),
                      figureText(TestTurn::kScanOffset * TestTurn::kSigmas, 1))
           : tr("The scans fit. The table turns as expected."));
-  setRole(*turnVerdict_, failed || off ? "warning" : "");
+  setRole(*turnVerdict_, failed || off ? "warning" : result->asExpected() ? "good" : "");
 }
 
 }  // namespace vantage

@@ -24,6 +24,7 @@ class CheckPage final : public WizardPage {
   [[nodiscard]] QString whatNext() const override;
   [[nodiscard]] QString nextText() const override;
   [[nodiscard]] bool complete() const override;
+  [[nodiscard]] QString whyNotNext() const override;
   void entered() override;
 
  private:

@@ -24,9 +24,9 @@ DeviceBox::DeviceBox(SessionController& controller, QWidget* parent)
       connect_(makeButton(tr("&Connect again"), QStringLiteral("connectDevices"),
                           tr("Open the devices anew. A turntable then counts from where it stands."))),
       tableRow_(new QWidget),
-      home_(makeButton(tr("&Home"), QStringLiteral("home"),
+      home_(makeButton(tr("Ho&me"), QStringLiteral("home"),
                        tr("Let the table find its index, where it has one, and count from there."))),
-      stop_(makeButton(tr("&Stop"), QStringLiteral("stopDevice"), tr("Stop the table, and whatever else goes on."))) {
+      stop_(makeButton(tr("St&op"), QStringLiteral("stopDevice"), tr("Stop the table, and whatever else goes on."))) {
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->addWidget(states_);

@@ -2,6 +2,9 @@
 
 #include <QDir>
 #include <QFileDialog>
+#include <QFileInfo>
+#include <QMessageBox>
+#include <QUrl>
 #include <QVBoxLayout>
 
 #include "acquisition/stand_composites.h"
@@ -10,6 +13,16 @@
 #include "stand_text.h"
 
 namespace vantage {
+
+QString withSuffix(const QString& path, const QString& filter) {
+  const QString suffix = QFileInfo(path).suffix().toLower();
+  for (const char* known : {"stl", "ply", "obj"})
+    if (suffix == QLatin1String(known)) return path;
+  for (const char* known : {"ply", "obj"})
+    if (filter.contains(QStringLiteral("*.") + QLatin1String(known)))
+      return path + QLatin1Char('.') + QLatin1String(known);
+  return path + QStringLiteral(".stl");
+}
 
 FinishPage::FinishPage(SessionController& controller, QWidget* parent)
     : WizardPage(controller, parent),
@@ -20,9 +33,11 @@ FinishPage::FinishPage(SessionController& controller, QWidget* parent)
   column().addWidget(place_);
   column().addWidget(missing_);
   const auto exportTo = [this](const QString& file) {
-    return [this, file] { this->controller().exportModel(inFolder(file)); };
+    return [this, file] {
+      writeTo(inFolder(file), [this](const QString& path) { this->controller().exportModel(path); });
+    };
   };
-  connect(addExport(tr("Export &STL"), QStringLiteral("exportStl"), QStringLiteral("model.stl"),
+  connect(addExport(tr("Export ST&L"), QStringLiteral("exportStl"), QStringLiteral("model.stl"),
                     tr("Triangles only, for printing and CAD."), true),
           &QPushButton::clicked, this, exportTo(QStringLiteral("model.stl")));
   connect(addExport(tr("Export &PLY"), QStringLiteral("exportPly"), QStringLiteral("model.ply"),
@@ -33,26 +48,61 @@ FinishPage::FinishPage(SessionController& controller, QWidget* parent)
           &QPushButton::clicked, this, exportTo(QStringLiteral("model.obj")));
   connect(addExport(tr("Export &as…"), QStringLiteral("exportAs"), {}, tr("To a file of your choice."), false),
           &QPushButton::clicked, this, [this] {
+            QString filter;
             const QString path = QFileDialog::getSaveFileName(
-                this, tr("Export the model"), inFolder(QStringLiteral("model.stl")), tr("Models (*.stl *.ply *.obj)"));
-            if (!path.isEmpty()) this->controller().exportModel(path);
+                this, tr("Export the model"), inFolder(QStringLiteral("model.stl")),
+                tr("STL (*.stl);;PLY (*.ply);;OBJ (*.obj)"), &filter, QFileDialog::DontConfirmOverwrite);
+            if (!path.isEmpty())
+              writeTo(withSuffix(path, filter), [this](const QString& to) { this->controller().exportModel(to); });
           });
   addSection(tr("Report"));
-  connect(addExport(tr("Write the &report"), QStringLiteral("report"), QStringLiteral("report.html"),
+  connect(addExport(tr("&Write the report"), QStringLiteral("report"), QStringLiteral("report.html"),
                     tr("One HTML page with pictures, figures, times and what is left."), false),
-          &QPushButton::clicked, this, [this] { emit reportRequested(inFolder(QStringLiteral("report.html"))); });
+          &QPushButton::clicked, this, [this] {
+            writeTo(inFolder(QStringLiteral("report.html")),
+                    [this](const QString& path) { emit reportRequested(path); });
+          });
   column().addWidget(written_);
   column().addStretch();
   connect(&controller, &SessionController::written, this, [this](const QString& path) {
-    const QString line = tr("Written: %1").arg(QDir::toNativeSeparators(path));
+    written_->setVisible(true);
+    const QUrl folder = QUrl::fromLocalFile(QFileInfo(path).absolutePath());
+    const QString line =
+        tr("Written: %1 (<a href=\"%2\">open</a>, <a href=\"%3\">show the folder</a>)")
+            .arg(QFileInfo(path).fileName().toHtmlEscaped(), QString::fromLatin1(QUrl::fromLocalFile(path).toEncoded()),
+                 QString::fromLatin1(folder.toEncoded()));
     if (!written_->text().contains(line))
-      written_->setText(written_->text() + (written_->text().isEmpty() ? "" : "\n") + line);
+      written_->setText(written_->text() + (written_->text().isEmpty() ? "" : "<br>") + line);
     emit changed();
   });
-  connect(&controller, &SessionController::sessionChanged, written_, &QLabel::clear);
+  written_->setTextFormat(Qt::RichText);
+  written_->setOpenExternalLinks(true);
+  written_->setTextInteractionFlags(Qt::TextBrowserInteraction);
+  written_->setFocusPolicy(Qt::StrongFocus);
+  written_->hide();
+  connect(&controller, &SessionController::sessionChanged, this, [this] {
+    written_->clear();
+    written_->hide();
+  });
   connect(&controller, &SessionController::stateChanged, this, &FinishPage::refresh);
   connect(&controller, &SessionController::activityChanged, this, &FinishPage::refresh);
+  connect(&controller, &SessionController::shownChanged, this, &FinishPage::refresh);
   refresh();
+}
+
+// Nothing that is there is written over without a word.
+void FinishPage::writeTo(const QString& path, const std::function<void(const QString&)>& write) {
+  if (!QFileInfo::exists(path)) return write(path);
+  auto* box = new QMessageBox(QMessageBox::Question, tr("Vantage"),
+                              tr("%1 is there already.").arg(QFileInfo(path).fileName()), QMessageBox::Cancel, this);
+  box->setAttribute(Qt::WA_DeleteOnClose);
+  box->setObjectName(QStringLiteral("overwrite"));
+  box->setInformativeText(tr("In %1. If you replace it, what it holds now is gone.")
+                              .arg(QDir::toNativeSeparators(QFileInfo(path).absolutePath())));
+  QPushButton* replace = box->addButton(tr("&Replace"), QMessageBox::AcceptRole);
+  replace->setObjectName(QStringLiteral("replaceFile"));
+  connect(replace, &QPushButton::clicked, this, [path, write] { write(path); });
+  box->open();
 }
 
 QPushButton* FinishPage::addExport(const QString& text, const QString& name, const QString& file, const QString& help,
@@ -95,6 +145,9 @@ void FinishPage::refresh() {
   missing_->setVisible(!missing.isEmpty());
   place_->setText(
       tr("Into %1").arg(QDir::toNativeSeparators(inFolder({}))) +
+      (controller().showsNow()
+           ? QString()
+           : QStringLiteral("\n") + tr("An earlier moment is shown; written is the session as it is now.")) +
       (coloured ? QStringLiteral("\n") + tr("The scans have colours: PLY and OBJ keep them, STL cannot.") : QString()));
   emit changed();
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+
 #include "wizard/wizard_page.h"
 
 class QLabel;
@@ -28,6 +30,7 @@ class FinishPage final : public WizardPage {
  private:
   QPushButton* addExport(const QString& text, const QString& name, const QString& file, const QString& help,
                          bool primary);
+  void writeTo(const QString& path, const std::function<void(const QString& path)>& write);
   [[nodiscard]] QString inFolder(const QString& file) const;
   void refresh();
 
@@ -36,5 +39,8 @@ class FinishPage final : public WizardPage {
   QLabel* written_;
   QList<QPushButton*> exports_;
 };
+
+/// A path that ends as the filter of a file dialog says, unless it already ends as a model's does.
+[[nodiscard]] QString withSuffix(const QString& path, const QString& filter);
 
 }  // namespace vantage

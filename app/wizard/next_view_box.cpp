@@ -20,7 +20,7 @@ NextViewBox::NextViewBox(SessionController& controller, QWidget* parent)
       other_(new QSpinBox),
       cost_(makeLabel({}, "muted")),
       take_(makeButton(tr("T&ake it"), QStringLiteral("takeOther"), tr("Scan from this position next."))),
-      back_(makeButton(tr("&Proposal"), QStringLiteral("takeProposal"), tr("Go back to the proposed position."))) {
+      back_(makeButton(tr("Proposa&l"), QStringLiteral("takeProposal"), tr("Go back to the proposed position."))) {
   other_->setObjectName(QStringLiteral("otherPosition"));
   other_->setAccessibleName(tr("Another position"));
   auto* row = new QHBoxLayout;
@@ -43,6 +43,7 @@ NextViewBox::NextViewBox(SessionController& controller, QWidget* parent)
   connect(&controller, &SessionController::stateChanged, this, &NextViewBox::refresh);
   connect(&controller, &SessionController::setUpChanged, this, &NextViewBox::refresh);
   connect(&controller, &SessionController::activityChanged, this, &NextViewBox::refresh);
+  connect(&controller, &SessionController::shownChanged, this, &NextViewBox::refreshCost);
   setAssisted(false);
 }
 
@@ -62,6 +63,9 @@ QString NextViewBox::instruction(int position) const {
   QString text = std::abs(angle) < radians(0.05) ? tr("Leave the table as it stands.")
                  : angle > 0 ? tr("Turn the table %1 counter-clockwise, seen from above.").arg(angleText(angle))
                              : tr("Turn the table %1 clockwise, seen from above.").arg(angleText(-angle));
+  // The whole way, so that a turn that was not quite right does not add to the next one.
+  const double mark = std::fmod(degrees(advice->to) + 720.0, 360.0);
+  text += tr(" Then the scanner looks at the mark %1° of the table.").arg(figureText(mark > 359.95 ? 0.0 : mark, 1));
   const double tilt = advice->turn.tilt;
   if (std::abs(tilt) > radians(0.05))
     text += tilt > 0 ? tr(" Raise the scanner by %1.").arg(angleText(tilt))
@@ -109,6 +113,13 @@ void NextViewBox::refreshCost() {
 QString NextViewBox::cost(int position) const {
   const SharedState& now = controller_.now();
   if (now && !now->profile) return controller_.permissions().whyNot(ChoosePosition{position});
+  if (!controller_.showsNow())
+    return tr("An earlier moment is shown; a choice holds for now.") + QLatin1Char('\n') + costNow(position);
+  return costNow(position);
+}
+
+QString NextViewBox::costNow(int position) const {
+  const SharedState& now = controller_.now();
   const auto other = controller_.present().explained(position);
   if (!other) return tr("After the first scan every position is compared here.");
   const std::optional<int> proposed = controller_.present().proposedPosition();
@@ -120,6 +131,8 @@ QString NextViewBox::cost(int position) const {
                            : tr("Shows %1 more than the proposal").arg(areaText(-lost));
   if (other->constraint == Constraint::OverlapShort)
     text += tr(", and its overlap is %1 short: registration may fail").arg(areaText(other->shortBy));
+  if (other->constraint == Constraint::BelowThreshold && other->overlapArea <= other->leastOverlap)
+    text += tr(", and it overlaps the model too little: registration would fail");
   if (other->constraint == Constraint::PoseUncertain) text += tr(", and its registration would be uncertain");
   return taken + text + QLatin1Char('.');
 }

@@ -32,6 +32,7 @@ class NextViewBox final : public QGroupBox {
   void refreshCost();
   [[nodiscard]] QString headline() const;
   [[nodiscard]] QString cost(int position) const;
+  [[nodiscard]] QString costNow(int position) const;
   [[nodiscard]] QString instruction(int position) const;
 
   SessionController& controller_;

@@ -4,6 +4,8 @@
 #include <QTableWidget>
 #include <QVBoxLayout>
 
+#include "acquisition/stand_composites.h"
+#include "completeness_text.h"
 #include "ending_text.h"
 #include "form_parts.h"
 #include "geometry/measures.h"
@@ -13,6 +15,7 @@
 #include "report/wording.h"
 #include "stand_text.h"
 #include "why_card.h"
+#include "wizard/completeness_box.h"
 #include "wizard/object_figures.h"
 #include "wizard/other_turn_box.h"
 #include "wording.h"
@@ -52,17 +55,19 @@ ReviewPage::ReviewPage(SessionController& controller, QWidget* parent)
     : WizardPage(controller, parent),
       reason_(makeLabel({}, "section")),
       stands_(makeLabel({})),
+      completeness_(new CompletenessBox),
       figures_(new FigureTable),
       left_(new FigureTable),
       views_(new QTableWidget(0, 5)),
       toggle_(makeButton(tr("&Leave this view out"), QStringLiteral("leaveOut"),
                          tr("Make the model without this view, or take it back. The scan is kept."))),
-      turnOver_(makeButton(tr("&Turn the object over…"), QStringLiteral("turnOver"),
+      turnOver_(makeButton(tr("T&urn the object over…"), QStringLiteral("turnOver"),
                            tr("Put the object on another side, to scan what this stand hides."))) {
   column().addWidget(reason_);
   column().addWidget(stands_);
   stands_->setObjectName(QStringLiteral("stands"));
   column().addWidget(new OtherTurnBox(controller));
+  column().addWidget(completeness_);
   column().addWidget(figures_);
   addSection(tr("What is left, and why"));
   column().addWidget(left_);
@@ -81,16 +86,7 @@ ReviewPage::ReviewPage(SessionController& controller, QWidget* parent)
   column().addWidget(turnOver_);
   connect(turnOver_, &QPushButton::clicked, this, [this] { emit wanted(QStringLiteral("turn_over")); });
   connect(toggle_, &QPushButton::clicked, this, &ReviewPage::toggle);
-  connect(views_, &QTableWidget::itemSelectionChanged, this, [this] {
-    const auto* item = views_->item(views_->currentRow(), 0);
-    const bool leftOut = item != nullptr && item->data(kLeftOutRole).toBool();
-    const auto scan = item == nullptr ? 0 : static_cast<std::int64_t>(item->data(kScanRole).toLongLong());
-    const QString whyNot = item == nullptr ? tr("Choose a scan in the list first.")
-                           : leftOut       ? this->controller().permissions().whyNot(TakeBackView{scan})
-                                           : this->controller().permissions().whyNot(LeaveOutView{scan});
-    allow(*toggle_, whyNot);
-    toggle_->setText(leftOut ? tr("&Take this view back") : tr("&Leave this view out"));
-  });
+  connect(views_, &QTableWidget::itemSelectionChanged, this, &ReviewPage::choose);
   connect(&controller, &SessionController::stateChanged, this, &ReviewPage::refresh);
   connect(&controller, &SessionController::activityChanged, this, [this] {
     refreshTurnOver();
@@ -107,6 +103,24 @@ void ReviewPage::entered() {
   refresh();
 }
 
+void ReviewPage::choose() {
+  const auto* item = views_->selectedItems().isEmpty() ? nullptr : views_->item(views_->currentRow(), 0);
+  const bool leftOut = item != nullptr && item->data(kLeftOutRole).toBool();
+  const auto scan = item == nullptr ? 0 : static_cast<std::int64_t>(item->data(kScanRole).toLongLong());
+  const QString whyNot = item == nullptr ? tr("Choose a scan in the list first.")
+                         : leftOut       ? controller().permissions().whyNot(TakeBackView{scan})
+                                         : controller().permissions().whyNot(LeaveOutView{scan});
+  allow(*toggle_, whyNot);
+  toggle_->setText(leftOut ? tr("&Take this view back") : tr("&Leave this view out"));
+  toggle_->setAccessibleName(QString(toggle_->text()).remove(QLatin1Char('&')));
+  emit scanChosen(item != nullptr ? std::optional(scan) : std::nullopt);
+}
+
+void ReviewPage::select(std::int64_t scan) {
+  for (int row = 0; row < views_->rowCount(); ++row)
+    if (views_->item(row, 0)->data(kScanRole).toLongLong() == scan) views_->selectRow(row);
+}
+
 void ReviewPage::toggle() {
   const auto* item = views_->item(views_->currentRow(), 0);
   if (item == nullptr) return;
@@ -118,14 +132,24 @@ void ReviewPage::toggle() {
 }
 
 void ReviewPage::refresh() {
+  // The scan that was chosen stays so.
+  const QTableWidgetItem* chosen = views_->selectedItems().isEmpty() ? nullptr : views_->item(views_->currentRow(), 0);
+  const bool isChosen = chosen != nullptr;
+  const std::int64_t scan = isChosen ? chosen->data(kScanRole).toLongLong() : 0;
   figures_->clear();
   left_->clear();
-  views_->setRowCount(0);
+  {
+    const QSignalBlocker quiet(views_);
+    views_->setRowCount(0);
+  }
   allow(*toggle_, tr("Choose a scan in the list first."));
   refreshTurnOver();
   const SharedState& now = controller().now();
   stands_->setText(now ? standsText(*now) : QString());
   stands_->setVisible(!stands_->text().isEmpty());
+  const auto& completeness = controller().present().completeness();
+  completeness_->setVisible(completeness.has_value());
+  if (completeness) completeness_->show(makeCompletenessCard(withObject(*now), *completeness));
   if (!hasAnyModel(now)) {
     reason_->setText(tr("Nothing has been scanned yet."));
     return;
@@ -136,11 +160,12 @@ void ReviewPage::refresh() {
                 QString::number(countScans(*now, ScanStatus::In)), own);
   if (now->model) {
     figures_->add(tr("Surface"), areaText(area(now->model->mesh)));
-    figures_->add(tr("Triangles"), QString::number(now->model->mesh.triangles.size()));
+    figures_->add(tr("Triangles"), countText(now->model->mesh.triangles.size()));
   }
   if (!own.isEmpty()) addObject(*figures_, *now);
   refreshLeft(*now);
   refreshViews(*now);
+  if (isChosen) select(scan);
   emit changed();
 }
 
@@ -156,8 +181,15 @@ void ReviewPage::refreshLeft(const AcquisitionState& state) {
     left_->add(tr("Not known: nothing is planned from recorded scans."), {});
   if (!plan || !plan->voids) return;
   if (!ownModelText(state).isEmpty()) left_->add(tr("Of this stand alone:"), {});
-  for (const EdgesLeft& left : edgesLeft(*plan))
-    left_->add(edgeReasonText(left.reason, plan->outcome), tr("%1 mm of edge").arg(figureText(left.length)));
+  for (const EdgesLeft& left : edgesLeft(*plan)) {
+    QLabel* name = left_->add(QStringLiteral("%1 <a href=\"edges\">%2</a>")
+                                  .arg(edgeReasonText(left.reason, plan->outcome).toHtmlEscaped(), tr("Show")),
+                              tr("%1 mm of edge").arg(figureText(left.length)));
+    name->setTextFormat(Qt::RichText);
+    name->setTextInteractionFlags(Qt::TextBrowserInteraction);
+    name->setFocusPolicy(Qt::StrongFocus);
+    connect(name, &QLabel::linkActivated, this, [this, reason = left.reason] { emit edgesWanted(reason); });
+  }
   if (plan->voids->patches.empty()) left_->add(tr("Nothing: the surface is closed."), {});
 }
 

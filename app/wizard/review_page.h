@@ -8,6 +8,7 @@ class QTableWidget;
 
 namespace vantage {
 
+class CompletenessBox;
 class FigureTable;
 
 /// What was covered, what is left and why.
@@ -24,6 +25,12 @@ class ReviewPage final : public WizardPage {
   [[nodiscard]] bool complete() const override;
   void entered() override;
 
+ signals:
+  /// A scan of the list was chosen, or none.
+  void scanChosen(const std::optional<std::int64_t>& scan);
+  /// Where the edges are that are left for a reason.
+  void edgesWanted(vantage::EdgeReason reason);
+
  private:
   void refresh();
   void refreshTurnOver();
@@ -31,9 +38,12 @@ class ReviewPage final : public WizardPage {
   void refreshViews(const AcquisitionState& state);
   void addScan(const KeptScan& scan);
   void toggle();
+  void choose();
+  void select(std::int64_t scan);
 
   QLabel* reason_;
   QLabel* stands_;
+  CompletenessBox* completeness_;
   FigureTable* figures_;
   FigureTable* left_;
   QTableWidget* views_;

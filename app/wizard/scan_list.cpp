@@ -66,7 +66,7 @@ ScanList::ScanList(QWidget* parent) : QWidget(parent), table_(new QTableWidget(0
     connect(button, &QPushButton::clicked, this, run);
     row->addWidget(button);
   };
-  addButton(tr("&Add files…"), QStringLiteral("addFiles"), tr("Add range files; they can also be dropped here."),
+  addButton(tr("Add fil&es…"), QStringLiteral("addFiles"), tr("Add range files; they can also be dropped here."),
             [this] {
               addFiles(QFileDialog::getOpenFileNames(
                   this, tr("Range files"), {},

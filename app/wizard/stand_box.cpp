@@ -12,12 +12,12 @@ StandBox::StandBox(SessionController& controller, StandDesk& desk, QWidget* pare
     : QWidget(parent),
       desk_(desk),
       sentence_(makeLabel({})),
-      align_(makeButton(tr("A&lign now"), QStringLiteral("alignNow"),
+      align_(makeButton(tr("Align no&w"), QStringLiteral("alignNow"),
                         tr("Find out how the object stands from what has been scanned of it so far."))),
       compare_(
-          makeButton(tr("Compare &poses…"), QStringLiteral("comparePoses"),
+          makeButton(tr("Compare poses…"), QStringLiteral("comparePoses"),
                      tr("See the stand over the object in every pose that was found, choose one, or pick points."))),
-      turn_(makeButton(tr("T&urn again…"), QStringLiteral("turnAgain"),
+      turn_(makeButton(tr("Turn again…"), QStringLiteral("turnAgain"),
                        tr("Put the object on another side. The scans of this stand are kept, and tried again then."))),
       back_(makeButton({}, QStringLiteral("backToOneStand"),
                        tr("Undo this stand: what was scanned in it is left, and can be redone. To scan on then, the "
@@ -47,7 +47,7 @@ void StandBox::refresh() {
   setRole(*sentence_, desk_.failedToAlign() ? "warning" : "");
   align_->setVisible(desk_.isOpen());
   compare_->setVisible(desk_.failedToAlign());
-  back_->setText(desk_.stand() == 1 ? tr("Back to &one stand") : tr("Back to %1 st&ands").arg(desk_.stand()));
+  back_->setText(desk_.stand() == 1 ? tr("Bac&k to one stand") : tr("Bac&k to %1 stands").arg(desk_.stand()));
   back_->setAccessibleName(QString(back_->text()).remove(QLatin1Char('&')));
   allow(*align_, desk_.whyNotAlign());
   allow(*compare_, desk_.whyNotAlign());

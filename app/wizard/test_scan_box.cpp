@@ -51,7 +51,7 @@ QString keyOf(CutReason reason) {
 TestScanBox::TestScanBox(SessionController& controller, QWidget* parent)
     : QWidget(parent),
       controller_(controller),
-      scan_(makeButton(tr("Take a te&st scan"), QStringLiteral("testScan"),
+      scan_(makeButton(tr("Take &a test scan"), QStringLiteral("testScan"),
                        tr("Scan once from the first position and look at what is used of it. The scan is not kept."))),
       picture_(new CutPictureView),
       verdict_(makeLabel({})),

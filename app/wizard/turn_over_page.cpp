@@ -32,7 +32,7 @@ TurnOverPage::TurnOverPage(SessionController& controller, StandDesk& desk, const
       sides_(new StandSides),
       figures_(new FigureTable),
       mind_(makeLabel({}, "muted")),
-      turned_(makeButton(tr("It stands on this side now: &scan on"), QStringLiteral("turned"),
+      turned_(makeButton(tr("It s&tands on this side now: scan on"), QStringLiteral("turned"),
                          tr("Begin a new stand. What was scanned before is kept aside until it is known how the object "
                             "was turned over."),
                          true)) {

@@ -9,6 +9,7 @@ namespace vantage {
 namespace {
 
 constexpr double kMargin = 24.0;
+const QColor kOutside(0xD0, 0x3A, 0x3A);  // what reaches out of the volume
 
 }  // namespace
 
@@ -40,7 +41,7 @@ void VolumeSketch::paintEvent(QPaintEvent* /*event*/) {
   painter.setBrush(palette().color(QPalette::Base));
   painter.drawRect(box(volume.radius, 0.0, volume.height));
   painter.setPen(Qt::NoPen);
-  QColor fill = palette().color(QPalette::Highlight);
+  QColor fill = object.insideVolume ? palette().color(QPalette::Highlight) : kOutside;
   fill.setAlphaF(0.55F);
   painter.setBrush(fill);
   painter.drawRect(box(object.radius, object.lowest, object.height));

@@ -2,14 +2,19 @@
 
 #include <QFrame>
 #include <QHBoxLayout>
-#include <QScrollArea>
 #include <QStackedWidget>
 #include <QVBoxLayout>
 #include <algorithm>
 
 #include "form_parts.h"
+#include "window/page_scroll.h"
 
 namespace vantage {
+namespace {
+
+constexpr int kLeastWidth = 300;
+
+}  // namespace
 
 Wizard::Wizard(SessionController& controller, StandDesk& stands, const SurfaceMaker& surfaces, const QString& resources,
                QWidget* parent)
@@ -18,6 +23,7 @@ Wizard::Wizard(SessionController& controller, StandDesk& stands, const SurfaceMa
       choose_(new ChoosePage(controller, resources)),
       acquire_(new AcquirePage(controller, stands)),
       turnOver_(new TurnOverPage(controller, stands, surfaces)),
+      review_(new ReviewPage(controller)),
       finish_(new FinishPage(controller)),
       where_(makeLabel({}, "muted")),
       title_(makeLabel({}, "title")),
@@ -25,14 +31,13 @@ Wizard::Wizard(SessionController& controller, StandDesk& stands, const SurfaceMa
       stack_(new QStackedWidget),
       back_(makeButton(tr("&Back"), QStringLiteral("back"), tr("The page before; nothing is lost."))),
       next_(makeButton({}, QStringLiteral("next"), {}, true)) {
+  // Whoever goes by the keyboard comes by the page before the buttons below it.
+  for (WizardPage* page :
+       {static_cast<WizardPage*>(choose_), static_cast<WizardPage*>(new CheckPage(controller)),
+        static_cast<WizardPage*>(new CalibratePage(controller)), static_cast<WizardPage*>(acquire_),
+        static_cast<WizardPage*>(turnOver_), static_cast<WizardPage*>(review_), static_cast<WizardPage*>(finish_)})
+    addPage(page);
   build();
-  addPage(choose_);
-  addPage(new CheckPage(controller));
-  addPage(new CalibratePage(controller));
-  addPage(acquire_);
-  addPage(turnOver_);
-  addPage(new ReviewPage(controller));
-  addPage(finish_);
   connect(back_, &QPushButton::clicked, this, &Wizard::goBack);
   connect(next_, &QPushButton::clicked, this, &Wizard::goOn);
   connect(&controller, &SessionController::sessionChanged, this, &Wizard::reopen);
@@ -66,16 +71,11 @@ void Wizard::build() {
   buttons->addWidget(next_, 1);
   foot->addLayout(buttons);
   column->addLayout(foot);
-  setMinimumWidth(320);
+  setMinimumWidth(kLeastWidth);
 }
 
 void Wizard::addPage(WizardPage* page) {
-  auto* scroll = new QScrollArea;
-  scroll->setWidgetResizable(true);
-  scroll->setFrameShape(QFrame::NoFrame);
-  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  scroll->setWidget(page);
-  stack_->addWidget(scroll);
+  stack_->addWidget(new PageScroll(page));
   pages_.push_back(page);
   connect(page, &WizardPage::changed, this, &Wizard::refresh);
   connect(page, &WizardPage::wanted, this, [this, page](const QString& key) {
@@ -105,6 +105,19 @@ void Wizard::goOn() {
   if (!page().complete()) return;
   pages_[static_cast<std::size_t>(index_)]->leaving();
   goTo(pageFrom(index_, 1).value_or(0));
+}
+
+void Wizard::takeKeyboard() {
+  for (QWidget* widget = stack_->currentWidget(); widget != nullptr; widget = widget->nextInFocusChain()) {
+    const bool takes = (widget->focusPolicy() & Qt::TabFocus) == Qt::TabFocus && widget->isEnabled() &&
+                       widget->isVisible() && qobject_cast<QScrollArea*>(widget) == nullptr;
+    if (takes) return widget->setFocus(Qt::TabFocusReason);
+    if (widget == next_) return;
+  }
+}
+
+void Wizard::turnPage() {
+  if (pageFrom(index_, 1)) goOn();
 }
 
 void Wizard::goBack() {

@@ -13,7 +13,6 @@
 #include "wizard/turn_over_page.h"
 
 class QStackedWidget;
-class QScrollArea;
 
 namespace vantage {
 
@@ -36,10 +35,16 @@ class Wizard final : public QWidget {
 
   [[nodiscard]] ChoosePage& choosePage() { return *choose_; }
   [[nodiscard]] AcquirePage& acquirePage() { return *acquire_; }
+  [[nodiscard]] ReviewPage& reviewPage() { return *review_; }
   [[nodiscard]] FinishPage& finishPage() { return *finish_; }
 
  public slots:
+  /// What the button below the page does: from the last one it ends the session.
   void goOn();
+  /// The keyboard goes to the first thing on the page that takes it.
+  void takeKeyboard();
+  /// To the next page where there is one: a key that was pressed once too often ends nothing.
+  void turnPage();
   void goBack();
 
  private:
@@ -54,6 +59,7 @@ class Wizard final : public QWidget {
   ChoosePage* choose_;
   AcquirePage* acquire_;
   TurnOverPage* turnOver_;
+  ReviewPage* review_;
   FinishPage* finish_;
   std::vector<WizardPage*> pages_;
   int index_ = 0;

@@ -5,6 +5,7 @@
 
 #include "acquisition/refusal_error.h"
 #include "acquisition/table_place.h"
+#include "acquisition/views_to_come.h"
 
 namespace vantage {
 namespace {
@@ -15,8 +16,10 @@ void allow(const std::optional<Refusal>& refusal) {
 
 // The part of a run that one more step takes.
 Progress stepProgress(const AcquisitionState& state, const Progress& progress) {
-  const auto views = static_cast<double>(std::max(1, state.settings.maxViews));
-  const auto done = std::min(static_cast<double>(countScans(state, ScanStatus::In)), views - 1.0);
+  const auto come = viewsToCome(state);
+  const auto taken = static_cast<double>(countScans(state, ScanStatus::In));
+  const double views = come ? taken + come->views : static_cast<double>(std::max(1, state.settings.maxViews));
+  const double done = std::min(taken, views - 1.0);
   return progress.part(done / views, (done + 1.0) / views);
 }
 

@@ -11,10 +11,12 @@ namespace vantage {
 void checkAgainstOthers(const AcquisitionState& state, KeptScan& scan, const StepOptions& options,
                         const Progress& progress) {
   const bool isDoubtful = scan.record.registration.verdict == Verdict::Doubtful;
+  const bool isLooseToo =
+      turnedByGuess(*scan.view.image) && isUnknown(scan.record.registration, scan.view.mesh->spacing);
   std::vector<const KeptScan*> scans;
-  // What is good fears no views of which nobody knows where they are.
+  // What is known fears no views of which nobody knows where they are.
   for (const KeptScan* other : scansOf(state, ScanStatus::In))
-    if (isDoubtful || !isLoose(*other)) scans.push_back(other);
+    if (isLooseToo || !isLoose(*other)) scans.push_back(other);
   if (scans.empty()) return;
   scans.push_back(&scan);
   std::vector<View> views;

@@ -170,6 +170,7 @@ bool settleLooseViews(AcquisitionState& state, const StepOptions& options, const
     views.push_back(scan.view);
     if (found) views.back().T_object_scanner = found->T_object_scanner;
     const bool isGood = found && found->verdict == Verdict::Good;
+    const bool isKnown = found && found->verdict != Verdict::Failed && !isUnknown(*found, scan.view.mesh->spacing);
     const auto contradiction =
         contradictionOfLast(views, prepared, !isGood, state.model->mesh, options.registration, progress);
     if (contradiction) {
@@ -178,11 +179,11 @@ bool settleLooseViews(AcquisitionState& state, const StepOptions& options, const
       scan.record.registration.finding = {VerdictReason::ContradictsOthers, *contradiction, {}};
       scan.view.mesh = nullptr;
       scan.prepared.reset();
-    } else if (isGood) {
+    } else if (isKnown) {
       scan.record.registration = *found;
       scan.view.T_object_scanner = found->T_object_scanner;
     }
-    changed = changed || contradiction || isGood;
+    changed = changed || contradiction || isKnown;
   }
   return changed;
 }

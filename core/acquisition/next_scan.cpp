@@ -170,7 +170,7 @@ bool scannedInStand(const AcquisitionState& state) {
 
 // Whether nothing is there to plan from: no other stand is known relative to the one of now.
 bool isFirstOfComposite(const AcquisitionState& state) {
-  return state.stand() == 0 || compositeOf(state, state.stand()) != kObjectComposite;
+  return referenceOf(state.stands) == state.stand() || !isOfObject(state, state.stand());
 }
 
 }  // namespace

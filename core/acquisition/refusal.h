@@ -34,6 +34,7 @@ enum class RefusalReason : std::uint8_t {
   NotAligned,         ///< number: the stand, of which no alignment was tried yet
   NoSuchPose,         ///< number: the pose, which is none of those that were found
   PoseContradicted,   ///< number: the pose, which something speaks against
+  StandsTogether,     ///< several stands make the object already
   OtherStand,         ///< number: the scan, whose stand is not the one that is worked on
 };
 inline constexpr RefusalReason kLastRefusalReason = RefusalReason::OtherStand;

@@ -64,6 +64,8 @@ void throwRefusal(const Refusal& refusal) {
       throw InvalidInput("pose " + number + " is none of those that the alignment found");
     case RefusalReason::PoseContradicted:
       throw InvalidInput("something speaks against pose " + number + ": it can only be used in spite of that");
+    case RefusalReason::StandsTogether:
+      throw InvalidInput("several stands make the object already: it is known by the first of them");
     case RefusalReason::OtherStand:
       break;
   }

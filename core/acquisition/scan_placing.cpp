@@ -29,12 +29,22 @@ RegistrationResult firstRegistration(const Pose& T_object_scanner) {
   return result;
 }
 
-// The last view of a stand that was taken where its image says.
+// The last view of a stand that was taken where its image says: of those whose place is known, where there is one.
 const KeptScan* lastWhereSaid(const AcquisitionState& state, int stand) {
-  const auto last = std::find_if(state.scans.rbegin(), state.scans.rend(), [&](const KeptScan& scan) {
-    return scan.status == ScanStatus::In && scan.station().stand == stand && !takenElsewhere(scan);
-  });
-  return last == state.scans.rend() ? nullptr : &*last;
+  const KeptScan* last = nullptr;
+  for (auto scan = state.scans.rbegin(); scan != state.scans.rend(); ++scan) {
+    if (scan->status != ScanStatus::In || scan->station().stand != stand || takenElsewhere(*scan)) continue;
+    if (!isLoose(*scan)) return &*scan;
+    if (last == nullptr) last = &*scan;
+  }
+  return last;
+}
+
+// The last of the views before this one, of the same stand, whose place is known; the one before it where none is.
+std::size_t knownBefore(const std::vector<const KeptScan*>& views, std::size_t view) {
+  for (std::size_t i = view; i > 0 && views[i - 1]->station().stand == views[view]->station().stand; --i)
+    if (!isLoose(*views[i - 1])) return i - 1;
+  return view - 1;
 }
 
 RegistrationResult registerWithModel(const AcquisitionState& state, const KeptScan& scan, const StepOptions& options,
@@ -182,10 +192,11 @@ std::vector<PoseTie> tiesOf(const AcquisitionState& state, const StepOptions& op
     const int stand = scans[i]->station().stand;
     if (scans[i - 1]->station().stand != stand) continue;
     if (scans[i]->record.registration.finding.reason == VerdictReason::TableSlipped) continue;
-    if (takenElsewhere(*scans[i - 1]) || takenElsewhere(*scans[i])) continue;
-    const Pose T_from_to = scans[i - 1]->view.image->T_table_scanner.inverse() * scans[i]->view.image->T_table_scanner;
-    if (const auto prior = priorOf(options, *scans[i - 1], *scans[i]))
-      ties.push_back({i - 1, i, T_from_to, aboutTable(*prior, tableOf(state, stand))});
+    const std::size_t from = knownBefore(scans, i);
+    if (takenElsewhere(*scans[from]) || takenElsewhere(*scans[i])) continue;
+    const Pose T_from_to = scans[from]->view.image->T_table_scanner.inverse() * scans[i]->view.image->T_table_scanner;
+    if (const auto prior = priorOf(options, *scans[from], *scans[i]))
+      ties.push_back({from, i, T_from_to, aboutTable(*prior, tableOf(state, stand))});
   }
   return ties;
 }

@@ -23,9 +23,12 @@ using Planner = PlannerOptions;
 using Void = VoidOptions;
 using History = PatchHistoryOptions;
 using End = TerminationOptions;
+using Closing = ClosingOptions;
+using Ledger = LedgerOptions;
 
 constexpr double kMostViews = 1e6;
 constexpr double kMostPoints = 1e8;
+constexpr double kMostVoxels = 2e7;
 constexpr double kMostSeed = 18446744073709551615.0;
 
 // NOLINTBEGIN(readability-magic-numbers)
@@ -105,6 +108,51 @@ std::vector<SettingField> planningFields() {
       number<&Settings::planner, &Planner::openingAngle>(
           Expert, "planner.opening_angle", "Opening angle", "deg", 0, 90, "85",
           "A view that looks farther than this from the normal of an opening hardly looks through it."),
+      onOff<&Settings::planner, &Planner::forecast>(Expert, "planner.forecast", "Forecast surface", "false",
+                                                    "Positions are ranked by the new surface that they are forecast to "
+                                                    "show, from a prediction of what closes the "
+                                                    "model; off, by void patches alone."),
+      number<&Settings::planner, &Planner::patchShare>(
+          Expert, "planner.patch_share", "Share of patches", "", 0, 100, "0.3",
+          "In a forecast void patches count by so much of their area beside the predicted surface."),
+      number<&Settings::planner, &Planner::forecastShare>(
+          Expert, "planner.forecast_share", "Share worth a forecast", "", 0, 1, "0.0012",
+          "A view must be forecast to show at least this share of the model's area."),
+      number<&Settings::planner, &Planner::probeShare>(
+          Expert, "planner.probe_share", "Share worth a probe", "", 0, 1, "0.5",
+          "After a view that showed enough, a forecast of this share of the termination threshold is tried; 1 never."),
+      number<&Settings::planner, &Planner::closing, &Closing::side>(
+          Expert, "closing.side", "Side of a voxel", "samples", 0.1, 1000, "2.5",
+          "Unseen space is divided into voxels of this side."),
+      number<&Settings::planner, &Planner::closing, &Closing::crossingAngle>(
+          Expert, "closing.crossing_angle", "Crossing angle", "deg", 0, 90, "40",
+          "Two rays that measured nothing free what lies where they cross at no less than this angle."),
+      number<&Settings::planner, &Planner::closing, &Closing::silence>(
+          Expert, "closing.silence", "Pull of silence", "", 0, 100, "0.3",
+          "A single ray that measured nothing makes what it passed so likely to be free, beside 6 for the neighbours."),
+      number<&Settings::planner, &Planner::closing, &Closing::mostVoxels>(
+          Expert, "closing.most_voxels", "Most voxels", "", 1000, kMostVoxels, "1000000",
+          "Voxels are larger where there would be more of them."),
+      number<&Settings::planner, &Planner::closing, &Closing::clearOfBreakdown>(
+          Expert, "closing.clear_of_breakdown", "Clear of breakdown", "deg", 0, 90, "6",
+          "A view should have sampled predicted surface that it saw this much inside the breakdown angle."),
+      number<&Settings::planner, &Planner::closing, &Closing::sweeps>(
+          Expert, "closing.sweeps", "Sweeps", "", 1, 10000, "80",
+          "So often the levels of unseen space are relaxed, a quarter of it after each look."),
+      number<&Settings::planner, &Planner::closing, &Closing::mostLooks>(
+          Expert, "closing.most_looks", "Most looks", "", 0, 100, "6",
+          "So often predicted surface that views should have sampled is carved away."),
+      number<&Settings::planner, &Planner::ledger, &Ledger::remembered>(
+          Expert, "ledger.remembered", "Views remembered", "", 0, 1000, "4",
+          "So many of the last views correct a forecast."),
+      number<&Settings::planner, &Planner::ledger, &Ledger::priorArea>(
+          Expert, "ledger.prior_area", "Weight beforehand", "", 0, 1e6, "60",
+          "What is known beforehand of forecasts counts like a view that was forecast to show so many samples."),
+      number<&Settings::planner, &Planner::ledger, &Ledger::priorFactor>(
+          Expert, "ledger.prior_factor", "Share beforehand", "", 0.01, 10, "0.7",
+          "Share of what is forecast that is found, as far as is known beforehand."),
+      number<&Settings::planner, &Planner::ledger, &Ledger::priorSpread>(
+          Expert, "ledger.prior_spread", "Spread beforehand", "", 0, 10, "0.5", "Standard deviation of that share."),
       number<&Settings::planner, &Planner::surfaceOffset>(
           Expert, "planner.surface_offset", "Offset from the surface", "samples", 0, 100, "0.25",
           "Lines of sight and observation rays begin this far in front of the surface."),

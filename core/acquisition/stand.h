@@ -8,13 +8,15 @@
 
 namespace vantage {
 
-/// One way in which the object stands on the table. The object's frame is that of the table in the first stand.
+/// One way in which the object stands on the table. The object's frame is that of the table in its reference, the first
+/// of the stands whose pose is known.
 struct Stand {
   std::optional<Pose> T_object_table;  ///< nothing as long as nobody knows how the object was turned over
-  /// The side that it was to be put on: the unit vector that points down, object coordinates; nothing where none was
-  /// advised.
+  /// The side that it was to be put on: the unit vector that points down, coordinates of the table in the stand that
+  /// was the reference then; nothing where none was advised.
   std::optional<Vec3> down = {};
-  std::shared_ptr<const StandAlignment> alignment = nullptr;  ///< the last one; null before it and for the first stand
+  std::shared_ptr<const StandAlignment> alignment = nullptr;  ///< the last one; null before it and for the reference
+  int reference = 0;                                          ///< the stand whose table's coordinates `down` is in
 };
 
 }  // namespace vantage

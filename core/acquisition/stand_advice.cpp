@@ -59,9 +59,9 @@ std::vector<char> shownIn(const PlanningScene& scene, const Patches& patches, co
 // The sides that the object stood on, and those that it was put on: it may have rolled onto another.
 std::vector<Vec3> sidesBefore(const AcquisitionState& state) {
   std::vector<Vec3> sides;
-  for (const Stand& stand : state.stands) {
-    if (stand.T_object_table) sides.emplace_back(-stand.T_object_table->linear().col(2));
-    if (stand.down) sides.push_back(*stand.down);
+  for (int stand = 0; stand <= state.stand(); ++stand) {
+    if (isOfObject(state, stand)) sides.emplace_back(-tableOf(state, stand).linear().col(2));
+    if (const auto meant = sideMeant(state, stand)) sides.push_back(*meant);
   }
   return sides;
 }

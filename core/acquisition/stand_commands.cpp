@@ -17,7 +17,16 @@ using Answer = std::optional<Refusal>;
 // Whether a stand is there and not known yet.
 Answer mayPlace(const AcquisitionState& state, int stand) {
   if (stand < 0 || stand > state.stand()) return Refusal{RefusalReason::NoSuchStand, stand};
-  if (compositeOf(state, stand) == kObjectComposite) return Refusal{RefusalReason::StandKnown, stand};
+  if (isOfObject(state, stand)) return Refusal{RefusalReason::StandKnown, stand};
+  return {};
+}
+
+// Whether a stand has views that are not of the object yet.
+Answer mayAlign(const AcquisitionState& state, int stand) {
+  if (const Answer refusal = mayPlace(state, stand)) return refusal;
+  const std::vector<int> stands = standsToAlign(state);
+  if (std::find(stands.begin(), stands.end(), stand) == stands.end())
+    return Refusal{RefusalReason::NothingToAlign, stand};
   return {};
 }
 
@@ -50,7 +59,7 @@ Answer TurnObject::mayDo(const AcquisitionState& state) const {
 
 AcquisitionState TurnObject::carriedOut(const AcquisitionState& state, const CommandTools& tools) const {
   AcquisitionState next = state;
-  next.stands.push_back({T_object_table, down});
+  next.stands.push_back({T_object_table, down, nullptr, referenceOf(state.stands)});
   next.chosenPosition.reset();
   next.termination = Termination::Running;
   return tools.replanned(withComposite(next, compositeOf(next, next.stand())));
@@ -65,11 +74,7 @@ AcquisitionState PlaceStand::carriedOut(const AcquisitionState& state, const Com
 }
 
 Answer AlignStand::mayDo(const AcquisitionState& state) const {
-  if (const Answer refusal = mayPlace(state, stand)) return refusal;
-  const std::vector<int> stands = standsToAlign(state);
-  if (std::find(stands.begin(), stands.end(), stand) == stands.end())
-    return Refusal{RefusalReason::NothingToAlign, stand};
-  return {};
+  return mayAlign(state, stand);
 }
 
 AcquisitionState AlignStand::carriedOut(const AcquisitionState& state, const CommandTools& tools) const {
@@ -105,6 +110,24 @@ AcquisitionState ChooseStandPose::carriedOut(const AcquisitionState& state, cons
   alignment.choice = chosen.possible ? PoseChoice::Operator : PoseChoice::Despite;
   return tools.replanned(mergedStand(withAlignment(state, stand, std::move(alignment)), stand, chosen.T_object_stand,
                                      {}, stepOptionsFor(state), tools.firstHalf()));
+}
+
+Answer TakeReference::mayDo(const AcquisitionState& state) const {
+  if (const Answer refusal = mayAlign(state, stand)) return refusal;
+  if (std::count_if(state.stands.begin(), state.stands.end(), [](const Stand& s) { return !!s.T_object_table; }) > 1)
+    return Refusal{RefusalReason::StandsTogether, {}};
+  return {};
+}
+
+AcquisitionState TakeReference::carriedOut(const AcquisitionState& state, const CommandTools& tools) const {
+  AcquisitionState next = withComposite(state, stand);
+  Stand& before = next.stands[static_cast<std::size_t>(referenceOf(state.stands))];
+  before.T_object_table.reset();
+  before.alignment = nullptr;
+  Stand& reference = next.stands[static_cast<std::size_t>(stand)];
+  reference.T_object_table = Pose::Identity();
+  reference.alignment = nullptr;
+  return tools.replanned(withComposite(next, compositeOf(next, next.stand())));
 }
 
 }  // namespace vantage

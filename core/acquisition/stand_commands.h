@@ -78,7 +78,22 @@ struct ChooseStandPose {
   [[nodiscard]] AcquisitionState carriedOut(const AcquisitionState& state, const CommandTools& tools) const;
 };
 
+/// The object is known by another stand from here on: what was its only stand so far waits to be aligned with it. Where
+/// the first stand shows too little to fit others to, one that shows more takes its place. Once a stand before the
+/// reference is aligned, the object is known by that one again.
+struct TakeReference {
+  static constexpr std::string_view kKind = "take_reference";
+  int stand = 0;
+
+  template <typename Self, typename Field>
+  static void fields(Self& self, Field&& field) {
+    field("stand", self.stand);
+  }
+  [[nodiscard]] std::optional<Refusal> mayDo(const AcquisitionState& state) const;
+  [[nodiscard]] AcquisitionState carriedOut(const AcquisitionState& state, const CommandTools& tools) const;
+};
+
 /// Commands about how the object stands.
-using StandCommand = std::variant<TurnObject, PlaceStand, AlignStand, ChooseStandPose>;
+using StandCommand = std::variant<TurnObject, PlaceStand, AlignStand, ChooseStandPose, TakeReference>;
 
 }  // namespace vantage

@@ -36,8 +36,28 @@ std::optional<int> compositeOfViews(const AcquisitionState& state) {
 
 }  // namespace
 
+int referenceOf(const std::vector<Stand>& stands) {
+  const auto known = std::find_if(stands.begin(), stands.end(), [](const Stand& s) { return !!s.T_object_table; });
+  return known == stands.end() ? 0 : static_cast<int>(known - stands.begin());
+}
+
+int objectComposite(const AcquisitionState& state) {
+  return referenceOf(state.stands);
+}
+
+bool isOfObject(const AcquisitionState& state, int stand) {
+  return state.stands[static_cast<std::size_t>(stand)].T_object_table.has_value();
+}
+
 int compositeOf(const AcquisitionState& state, int stand) {
-  return state.stands[static_cast<std::size_t>(stand)].T_object_table ? kObjectComposite : stand;
+  return isOfObject(state, stand) ? objectComposite(state) : stand;
+}
+
+std::optional<Vec3> sideMeant(const AcquisitionState& state, int stand) {
+  const Stand& of = state.stands[static_cast<std::size_t>(stand)];
+  const auto& toldIn = state.stands[static_cast<std::size_t>(of.reference)].T_object_table;
+  if (!of.down || !toldIn) return std::nullopt;
+  return toldIn->linear() * *of.down;
 }
 
 int compositeInWork(const AcquisitionState& state) {
@@ -65,7 +85,7 @@ AcquisitionState withComposite(const AcquisitionState& state, int composite) {
 }
 
 AcquisitionState withObject(const AcquisitionState& state) {
-  return withComposite(state, kObjectComposite);
+  return withComposite(state, objectComposite(state));
 }
 
 std::vector<int> standsToAlign(const AcquisitionState& state) {
@@ -74,7 +94,7 @@ std::vector<int> standsToAlign(const AcquisitionState& state) {
     const bool hasViews = std::any_of(state.scans.begin(), state.scans.end(), [&](const KeptScan& scan) {
       return (scan.status == ScanStatus::In || scan.status == ScanStatus::Aside) && scan.station().stand == stand;
     });
-    if (hasViews && compositeOf(state, stand) != kObjectComposite) stands.push_back(stand);
+    if (hasViews && !isOfObject(state, stand)) stands.push_back(stand);
   }
   return stands;
 }

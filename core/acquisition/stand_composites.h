@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "acquisition/acquisition_state.h"
 #include "acquisition/step_options.h"
@@ -13,11 +14,22 @@ namespace vantage {
 /// composite the state has views (ScanStatus::In), model and plan: that of the stand of now. The views of the others
 /// are set aside (ScanStatus::Aside), and so are their models (AcquisitionState::aside).
 
-/// The object: the composite of the first stand and of all stands that are known relative to it.
-inline constexpr int kObjectComposite = 0;
+/// The stand that the object is known by: the first one whose pose is known. The object's frame is that of its table.
+[[nodiscard]] int referenceOf(const std::vector<Stand>& stands);
 
-/// The composite of a stand: kObjectComposite, or the stand itself.
+/// The object: the composite of the reference and of all stands that are known relative to it, numbered by the
+/// reference.
+[[nodiscard]] int objectComposite(const AcquisitionState& state);
+
+/// Whether it is known how the object stands in a stand.
+[[nodiscard]] bool isOfObject(const AcquisitionState& state, int stand);
+
+/// The composite of a stand: that of the object, or the stand itself.
 [[nodiscard]] int compositeOf(const AcquisitionState& state, int stand);
+
+/// The side that the object was to be put on in a stand, in the coordinates of the object; nothing where none was
+/// advised, or where it is not known how the object stands in the stand that it was told in.
+[[nodiscard]] std::optional<Vec3> sideMeant(const AcquisitionState& state, int stand);
 
 /// The composite that the views and the model of the state are of.
 [[nodiscard]] int compositeInWork(const AcquisitionState& state);

@@ -17,12 +17,10 @@ constexpr int kLeastViews = 3;
 constexpr int kMostStands = 12;
 // So many stands in a row that came to nothing say that no other will come to more.
 constexpr int kMostUseless = 2;
+// A stand that shows so many times what another shows is the better one to fit further stands to.
+constexpr double kMuchMore = 2.0;
 // What is worth turning the object over and scanning it a few times, as a share of what is known of it.
 constexpr double kWorthAStand = 0.005;
-
-bool isKnown(const AcquisitionState& state, int stand) {
-  return compositeOf(state, stand) == kObjectComposite;
-}
 
 // The area of the object that no stand before this one had shown [mm^2]. Views come into a model in their order, and
 // every triangle is of the first view that shows it.
@@ -43,17 +41,37 @@ int uselessInARow(const AcquisitionState& state) {
   const double least = std::max(leastGain(state), kWorthAStand * known);
   int useless = 0;
   for (int stand = state.stand(); stand > 0; --stand, ++useless)
-    if (isKnown(state, stand) && addedBy(object, stand) > least) break;
+    if (isOfObject(state, stand) && addedBy(object, stand) > least) break;
   return useless;
 }
 
 // The best pose of a stand where the choice makes no difference, as with a body that is symmetric all over.
 std::optional<int> anyPoseOf(const AcquisitionState& state, int stand) {
   const auto& alignment = state.stands[static_cast<std::size_t>(stand)].alignment;
-  if (isKnown(state, stand) || !alignment || !alignment->sameSurface) return std::nullopt;
+  if (isOfObject(state, stand) || !alignment || !alignment->sameSurface) return std::nullopt;
   for (std::size_t i = 0; i < alignment->candidates.size(); ++i)
     if (alignment->candidates[i].possible) return static_cast<int>(i);
   return std::nullopt;
+}
+
+// The largest of the stands that are models of their own and fit nowhere, where it shows much more than the only stand
+// of the object.
+std::optional<int> betterReference(const AcquisitionState& state) {
+  const auto areaOf = [&](int composite) {
+    const AcquisitionState one = withComposite(state, composite);
+    return one.model ? area(one.model->mesh) : 0.0;
+  };
+  std::optional<int> best;
+  double most = kMuchMore * areaOf(objectComposite(state));
+  for (const int stand : standsToAlign(state)) {
+    const auto& alignment = state.stands[static_cast<std::size_t>(stand)].alignment;
+    if (!alignment || alignment->verdict != AlignmentVerdict::Failed || TakeReference{stand}.mayDo(state)) continue;
+    const double shown = areaOf(stand);
+    if (shown <= most) continue;
+    most = shown;
+    best = stand;
+  }
+  return best;
 }
 
 }  // namespace
@@ -79,7 +97,7 @@ std::string name(const StandCourse& course) {
 }
 
 bool mayFindItsPlace(const AcquisitionState& state) {
-  if (isKnown(state, state.stand())) return false;
+  if (isOfObject(state, state.stand())) return false;
   return countScans(state, ScanStatus::In) >= kLeastViews && state.scans.back().status == ScanStatus::In;
 }
 
@@ -99,11 +117,11 @@ bool alignStands(Acquisition& acquisition, bool keepFailures, const Progress& pr
   while (!open.empty()) {
     const int stand = open.back();
     open.pop_back();
-    const auto keep = [&](const AcquisitionState& after) { return keepFailures || isKnown(after, stand); };
+    const auto keep = [&](const AcquisitionState& after) { return keepFailures || isOfObject(after, stand); };
     acquisition.carryOutIf(AlignStand{stand}, keep, progress);
     if (const auto pose = anyPoseOf(*acquisition.state(), stand); pose && keepFailures)
       acquisition.carryOut(ChooseStandPose{stand, *pose}, progress);
-    if (!isKnown(*acquisition.state(), stand)) {
+    if (!isOfObject(*acquisition.state(), stand)) {
       failed.push_back(stand);
       continue;
     }
@@ -111,7 +129,12 @@ bool alignStands(Acquisition& acquisition, bool keepFailures, const Progress& pr
     open.insert(open.begin(), failed.begin(), failed.end());
     failed.clear();
   }
-  return isKnown(*acquisition.state(), now);
+  // Others may fit to what shows more of the object.
+  if (const auto reference = betterReference(*acquisition.state()); reference && keepFailures) {
+    acquisition.carryOut(TakeReference{*reference}, progress);
+    return alignStands(acquisition, keepFailures, progress);
+  }
+  return isOfObject(*acquisition.state(), now);
 }
 
 bool findPlaces(Acquisition& acquisition, const Progress& progress) {

@@ -21,7 +21,8 @@ struct StandCourse {
 [[nodiscard]] bool mayFindItsPlace(const AcquisitionState& state);
 
 /// Tries to align the stand of now and those that were never tried, and tries again those that failed whenever one did
-/// not. Where poses leave the same surface, the best is chosen.
+/// not. Where poses leave the same surface, the best is chosen. Where nothing fits the only stand of the object and
+/// another shows much more, that one becomes the reference, and the others are tried with it.
 /// @param keepFailures also what came of those that cannot be aligned is recorded
 /// @return whether the stand of now became known
 bool alignStands(Acquisition& acquisition, bool keepFailures, const Progress& progress = {});

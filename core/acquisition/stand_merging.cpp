@@ -11,13 +11,29 @@
 namespace vantage {
 namespace {
 
+// A scan moves with the frame that its pose is in, and so does where it was registered.
+void moveBy(KeptScan& scan, const Pose& T_new_old) {
+  scan.view.T_object_scanner = T_new_old * scan.view.T_object_scanner;
+  scan.record.registration.T_object_scanner = T_new_old * scan.record.registration.T_object_scanner;
+}
+
+// The object in the frame of the table in a stand that is known.
+void expressIn(AcquisitionState& state, int stand) {
+  const Pose T_new_old = state.stands[static_cast<std::size_t>(stand)].T_object_table->inverse();
+  for (KeptScan& scan : state.scans)
+    if (isOfObject(state, scan.station().stand) && scan.status != ScanStatus::Waiting) moveBy(scan, T_new_old);
+  for (Stand& each : state.stands)
+    if (each.T_object_table) each.T_object_table = T_new_old * *each.T_object_table;
+  state.stands[static_cast<std::size_t>(stand)].T_object_table = Pose::Identity();
+}
+
 // The views of a stand that is set aside become views of the object. @return which scans they are
 std::vector<std::size_t> takeIn(AcquisitionState& state, int stand, const Pose& T_object_table) {
   std::vector<std::size_t> views;
   for (std::size_t i = 0; i < state.scans.size(); ++i) {
     KeptScan& scan = state.scans[i];
     if (scan.station().stand != stand || scan.status == ScanStatus::Waiting) continue;
-    scan.view.T_object_scanner = T_object_table * scan.view.T_object_scanner;
+    moveBy(scan, T_object_table);
     if (scan.status != ScanStatus::Aside) continue;
     scan.status = ScanStatus::In;
     views.push_back(i);
@@ -84,8 +100,10 @@ AcquisitionState mergedStand(const AcquisitionState& state, int stand, const Pos
     const Pose& after = next.scans[views.front()].view.T_object_scanner;
     if (after.matrix() != before.matrix())
       next.stands[static_cast<std::size_t>(stand)].T_object_table = after * before.inverse() * T_object_table;
-    next.model = integrateViews(viewsOf(next), options, progress.part(0.4, 0.7));
   }
+  // One that came before the reference is the reference now.
+  if (referenceOf(next.stands) == stand) expressIn(next, stand);
+  if (!views.empty()) next.model = integrateViews(viewsOf(next), options, progress.part(0.4, 0.7));
   placeOthers(next, stand, options, progress.part(0.7, 1.0));
   return withComposite(next, compositeOf(next, next.stand()));
 }

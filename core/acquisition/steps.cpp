@@ -19,12 +19,13 @@ namespace vantage {
 namespace {
 
 // How firmly a view is held of which nobody knows where it is: surfaces that hold it are many times firmer.
-constexpr Mechanics kLooseHold{radians(2.0), 5.0};
+constexpr Mechanics kLooseHold{radians(0.5), 1.5};
 
-// Loose views stay about where they were registered: along what holds them too little noise alone would move them, the
-// farther the more views there are.
+// Loose views stay about where they were registered, far as that may be from where they were asked for: along what holds
+// them too little noise alone would move them, the farther the more views there are.
 void tieLooseViews(const AcquisitionState& state, std::vector<PoseTie>& ties) {
   const std::vector<const KeptScan*> scans = scansOf(state, ScanStatus::In);
+  std::erase_if(ties, [&](const PoseTie& tie) { return isLoose(*scans[tie.to]); });
   for (std::size_t i = 1; i < scans.size(); ++i) {
     if (!isLoose(*scans[i])) continue;
     const Pose T_from_to = scans[0]->view.T_object_scanner.inverse() * scans[i]->record.registration.T_object_scanner;
@@ -220,6 +221,9 @@ PlanInput planInputOf(const AcquisitionState& state) {
     if (scan->station().stand == state.stand() && scan->station().position)
       input.taken.push_back(*positionTaken(state, *scan));
   if (const KeptScan* last = lastView(state, state.stand())) input.current = positionTaken(state, *last);
+  for (const KeptScan* scan : scansOf(state, ScanStatus::In))
+    if (const auto& predicted = scan->record.predicted; predicted && predicted->uncorrected)
+      input.ledger.push_back({*predicted->uncorrected, scan->record.newArea});
   // Whoever made the last move makes the next one.
   if (!state.scans.empty()) input.mechanics = state.scans.back().view.image->poseUncertainty;
   return input;

@@ -28,9 +28,15 @@ Mechanics mechanicsOf(const Rig& rig, const ScannerProfile& profile) {
 }  // namespace
 
 bool TestTurn::asExpected() const {
-  const double angle = kSigmas * std::hypot(std::sqrt(2.0) * errors.angleSigma, kScanAngle);
-  const double offset = kSigmas * std::hypot(std::sqrt(2.0) * errors.positionSigma, kScanOffset);
-  return std::abs(measured - expected) <= angle && axisOffset <= offset;
+  return std::abs(measured - expected) <= angleLimit() && axisOffset <= offsetLimit();
+}
+
+double TestTurn::angleLimit() const {
+  return kSigmas * std::hypot(std::sqrt(2.0) * errors.angleSigma, kScanAngle);
+}
+
+double TestTurn::offsetLimit() const {
+  return kSigmas * std::hypot(std::sqrt(2.0) * errors.positionSigma, kScanOffset);
 }
 
 TestTurn testTurn(const Rig& rig, const ScannerProfile& profile, int from, int to, const CutOptions& cut,

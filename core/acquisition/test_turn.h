@@ -28,6 +28,9 @@ struct TestTurn {
 
   /// Whether turn and axis are where two moves with such errors leave them, in all but one of a thousand cases.
   [[nodiscard]] bool asExpected() const;
+  /// How far off they may be: the turn [rad], and the axis [mm].
+  [[nodiscard]] double angleLimit() const;
+  [[nodiscard]] double offsetLimit() const;
 };
 
 /// Scans from two positions with a rig that is open, cuts both scans, and registers the second scan with the first.

@@ -8,6 +8,21 @@
 
 namespace vantage {
 
+namespace {
+
+// Of the expected surface what a scanner at the pose would sample [mm^2].
+double expectedArea(const Pose& T_table_scanner, const PlanningScene& scene, const ExpectedSurface& expected) {
+  double sum = 0.0;
+  for (std::size_t f = 0; f < expected.closing.faces.size(); ++f) {
+    const LevelFace& face = expected.closing.faces[f];
+    const Sight s = scene.sightOfExpected().look(T_table_scanner, face.centre, face.normal);
+    if (s.visibility == Visibility::Seen && scene.expectedAttracts(f, s.cosine)) sum += face.area;
+  }
+  return sum;
+}
+
+}  // namespace
+
 void traceVoid(PositionScore& score, const PlanningScene& scene) {
   const Pose& T_table_scanner = scene.pose(score.position);
   double sum = 0.0;
@@ -19,6 +34,8 @@ void traceVoid(PositionScore& score, const PlanningScene& scene) {
     sum += promised;
     score.patches.push_back(static_cast<std::uint32_t>(p));
   }
+  if (const ExpectedSurface* expected = scene.expected())
+    sum += expected->trust.factor * expectedArea(T_table_scanner, scene, *expected);
   score.tracedVoidArea = sum;
 }
 

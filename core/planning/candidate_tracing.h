@@ -9,8 +9,8 @@
 
 namespace vantage {
 
-/// Follows the scanner's own rays from the position of the score to every patch: fills in the traced void area and the
-/// patches it would see.
+/// Follows the scanner's own rays from the position of the score to every patch, and to the expected surface where the
+/// scene has one: fills in the traced void area and the patches it would see.
 /// @throws InvalidInput for a position that the workspace does not have
 void traceVoid(PositionScore& score, const PlanningScene& scene);
 

@@ -51,6 +51,7 @@ Explanation explain(const Plan& plan, int position) {
   why.leastOverlap = plan.leastOverlap;
   why.tableAlone = plan.tableAlone;
   why.terminationThreshold = plan.terminationThreshold;
+  why.forecast = plan.forecast;
   why.poseSigma = score.poseSigma;
   why.weakMotions = score.weakMotions;
   addPatches(why, plan, score);

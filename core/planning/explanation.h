@@ -20,6 +20,7 @@ struct Explanation {
   double leastOverlap = 0.0;             ///< t [mm^2]
   bool tableAlone = false;               ///< nothing overlaps enough: the table alone will place the view
   double terminationThreshold = 0.0;     ///< F [mm^2]
+  std::optional<PlanForecast> forecast;  ///< what o_v rests on where it is a forecast of new surface
   std::optional<double> poseSigma;       ///< predicted registration error along the weak direction [mm]
   WeakMotions weakMotions;               ///< what that direction is; empty when not predicted
   std::size_t patches = 0;               ///< void patches that it would see; 0 unless traced

@@ -20,7 +20,7 @@ AccumulationOptions accumulation(const PlanningScene& scene, bool keepSightings)
 double contribution(const PlanningScene& scene, std::size_t p, const Sighting& sighting, const ScannerImages& images) {
   if (!scene.history().attracts(p, static_cast<double>(sighting.confidence))) return 0.0;
   const VoidPatch& patch = scene.patches()[p];
-  const double area = patch.weight * static_cast<double>(sighting.confidence);
+  const double area = patchShare(scene) * patch.weight * static_cast<double>(sighting.confidence);
   if (!scene.options().lookAhead) return area;
   const Vec3 direction = (images.ray(sighting.cell).point - patch.centre).normalized();
   return area * lookAhead(patch, direction, scene.breakdownAngle());
@@ -76,13 +76,39 @@ PositionalImage poorTrianglesImage(const PlanningScene& scene, const ScannerImag
   return accumulate(poorTriangles(scene), scene.obstacles(), images, angle, accumulation(scene, false), progress);
 }
 
+// Adds the expected surface to the sums: the area that is seen through a cell, however obliquely.
+void addExpected(PositionalImage& image, const PlanningScene& scene, const ScannerImages& images,
+                 const Progress& progress) {
+  const PositionalImage expected = expectedImage(scene, images, progress);
+  const std::vector<LevelFace>& faces = scene.expected()->closing.faces;
+  const double factor = scene.expected()->trust.factor;
+  for (std::size_t f = 0; f < expected.sourceCount(); ++f) {
+    const auto area = std::llround(factor * faces[f].area / PositionalImage::kUnit);
+    for (const Sighting& sighting : expected.sightingsOf(f))
+      if (scene.expectedAttracts(f, static_cast<double>(sighting.confidence))) image.sums[sighting.cell] += area;
+  }
+}
+
 }  // namespace
+
+PositionalImage expectedImage(const PlanningScene& scene, const ScannerImages& images, const Progress& progress) {
+  const SightOptions& looking = scene.sightOfExpected().options();
+  std::vector<ObservationSource> sources;
+  for (const LevelFace& face : scene.expected()->closing.faces)
+    sources.push_back({face.centre, face.normal, face.area});
+  AccumulationOptions options;
+  options.keepSightings = true;
+  options.surfaceOffset = looking.offset;
+  return accumulate(sources, scene.expected()->all, images, looking.breakdownAngle, options, progress);
+}
 
 PositionalImage voidImage(const PlanningScene& scene, const ScannerImages& images, const Progress& progress) {
   const bool tolerant = scene.options().tolerance > 0.0;
-  PositionalImage image = sightingsOf(scene, images, progress.part(0.0, tolerant ? 0.5 : 1.0));
+  const double patchesDone = tolerant || scene.expected() != nullptr ? 0.5 : 1.0;
+  PositionalImage image = sightingsOf(scene, images, progress.part(0.0, patchesDone));
   std::fill(image.sums.begin(), image.sums.end(), 0);
-  if (tolerant) image.sums = poorTrianglesImage(scene, images, progress.part(0.5, 1.0)).sums;
+  if (tolerant) image.sums = poorTrianglesImage(scene, images, progress.part(patchesDone, 0.8)).sums;
+  if (scene.expected() != nullptr) addExpected(image, scene, images, progress.part(0.8, 1.0));
   for (std::size_t p = 0; p < image.sourceCount(); ++p)
     for (const Sighting& sighting : image.sightingsOf(p))
       image.sums[sighting.cell] += std::llround(contribution(scene, p, sighting, images) / PositionalImage::kUnit);

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "base/progress.h"
-#include "planning/sight.h"
+#include "scanner/sight.h"
 #include "scanner/view.h"
 #include "void_space/void_patch.h"
 

@@ -21,10 +21,15 @@ double lookAhead(const VoidPatch& patch, const Vec3& direction, double breakdown
   return std::clamp(1.0 + phi / breakdownAngle, 0.0, 2.0);
 }
 
+double patchShare(const PlanningScene& scene) {
+  const ExpectedSurface* expected = scene.expected();
+  return expected == nullptr ? 1.0 : expected->trust.factor * scene.options().patchShare;
+}
+
 double patchPromise(const PlanningScene& scene, std::size_t patch, const Sight& sight) {
   if (sight.visibility != Visibility::Seen || !scene.history().attracts(patch, sight.cosine)) return 0.0;
   const VoidPatch& p = scene.patches()[patch];
-  return p.weight * sight.cosine *
+  return patchShare(scene) * p.weight * sight.cosine *
          (scene.options().lookAhead ? lookAhead(p, sight.direction, scene.breakdownAngle()) : 1.0);
 }
 

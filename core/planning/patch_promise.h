@@ -3,7 +3,7 @@
 #include <cstddef>
 
 #include "planning/planning_scene.h"
-#include "planning/sight.h"
+#include "scanner/sight.h"
 #include "void_space/void_patch.h"
 
 namespace vantage {
@@ -25,8 +25,12 @@ namespace vantage {
 /// factor is that share of theta_b. 1 for a view along the patch's normal, which gives the objective of the paper.
 [[nodiscard]] double lookAhead(const VoidPatch& patch, const Vec3& direction, double breakdownAngle);
 
-/// What a sight of a patch promises: weight times cosine times `lookAhead`, 0 when the patch is not seen or does not
-/// attract a view like that [mm^2].
+/// What the weight of a patch counts for: all of it, or a share beside the expected surface, corrected by the run's
+/// ledger.
+[[nodiscard]] double patchShare(const PlanningScene& scene);
+
+/// What a sight of a patch promises: weight times cosine times `lookAhead`, times `patchShare`, 0 when the patch is not
+/// seen or does not attract a view like that [mm^2].
 [[nodiscard]] double patchPromise(const PlanningScene& scene, std::size_t patch, const Sight& sight);
 
 }  // namespace vantage

@@ -22,7 +22,9 @@ ChoiceOptions rulesOf(const PlanningScene& scene) {
   ChoiceOptions rules;
   rules.leastOverlap = options.leastOverlap.value_or(
       std::max(options.overlapShare * perView, options.overlapSamples * spacing * spacing));
-  rules.terminationThreshold = terminationThreshold(options.termination, spacing, modelArea);
+  TerminationOptions termination = options.termination;
+  if (scene.expected() != nullptr) termination.share = std::max(termination.share, options.forecastShare);
+  rules.terminationThreshold = terminationThreshold(termination, spacing, modelArea);
   rules.maxPoseSigma = options.poseSigmaShare * spacing;
   rules.maxRelaxations = options.maxRelaxations;
   rules.preferOverlap = scene.spread().isWide();
@@ -83,14 +85,52 @@ Choice chooseTraced(const PlanningScene& scene, std::vector<PositionScore>& scor
   return choice;
 }
 
-void decide(Plan& plan, const PlanningScene& scene, const Mesh& overlapping, const Progress& progress) {
+// Whether one more view is to find out if the prediction is right that little is left: the last one showed enough.
+bool mayProbe(const PlanningScene& scene, double threshold) {
+  const std::vector<ForecastEntry>& ledger = scene.input().ledger;
+  return scene.expected() != nullptr && scene.options().probeShare < 1.0 && !ledger.empty() &&
+         ledger.back().achieved > threshold;
+}
+
+// What all positions together would show of the expected surface, and of the patches.
+SurfaceLeft surfaceLeft(const PlanningScene& scene, const PositionalImage& expected, double ofPatches) {
+  const std::vector<LevelFace>& faces = scene.expected()->closing.faces;
+  const ForecastTrust& trust = scene.expected()->trust;
+  double predicted = ofPatches / trust.factor;
+  for (std::size_t f = 0; f < expected.sourceCount(); ++f)
+    if (std::any_of(expected.sightingsOf(f).begin(), expected.sightingsOf(f).end(), [&](const Sighting& sighting) {
+          return scene.expectedAttracts(f, static_cast<double>(sighting.confidence));
+        }))
+      predicted += faces[f].area;
+  constexpr double kDeviations = 2.0;
+  return {trust.factor * predicted, std::max(0.0, trust.factor - kDeviations * trust.spread) * predicted,
+          (trust.factor + kDeviations * trust.spread) * predicted};
+}
+
+void decide(Plan& plan, const PlanningScene& scene, const ScannerImages& images, const Mesh& overlapping,
+            const Progress& progress) {
   const ChoiceOptions rules = rulesOf(scene);
   const auto elements = surfaceElements(overlapping, scene.options().overlapElements);
-  const Choice choice = chooseTraced(scene, plan.scores, elements, rules, progress.part(0.0, 0.7));
+  Choice choice = chooseTraced(scene, plan.scores, elements, rules, progress.part(0.0, 0.6));
+  if (plan.forecast && choice.outcome == PlanOutcome::Finished && mayProbe(scene, rules.terminationThreshold)) {
+    ChoiceOptions probing = rules;
+    probing.terminationThreshold *= scene.options().probeShare;
+    choice = chooseTraced(scene, plan.scores, elements, probing, progress.part(0.6, 0.7));
+    plan.forecast->probing = choice.outcome == PlanOutcome::Found;
+    // What keeps positions from being chosen is F as it is.
+    if (!plan.forecast->probing) choice = choose(plan.scores, scene.profile().workspace, scene.input().current, rules);
+  }
   std::span<const Pose> left;
   if (choice.outcome != PlanOutcome::Found) left = scene.profile().workspace.poses;
-  plan.outlook = certify(scene, left, progress.part(0.7, 1.0));
+  plan.outlook = certify(scene, left, progress.part(0.7, 0.9));
   plan.voidLeft = promiseLeft(plan.outlook);
+  if (plan.forecast) {
+    for (PositionScore& score : plan.scores) score.uncorrected = promise(score) / plan.forecast->trust.factor;
+    if (choice.outcome != PlanOutcome::Found) {
+      plan.forecast->left = surfaceLeft(scene, expectedImage(scene, images, progress.part(0.9, 1.0)), plan.voidLeft);
+      plan.voidLeft = plan.forecast->left->area;
+    }
+  }
   plan.outcome = choice.outcome;
   plan.position = choice.position;
   plan.leastOverlap = choice.leastOverlap;
@@ -112,7 +152,8 @@ Plan planNextView(const PlanInput& input, const ScannerImages& images, const Pla
   plan.voids = scene.voids();
   plan.scores = scoresOf(scene, voidAreas, scene.spread().least(overlapAreas));
   plan.angularError = images.grid().shape().angularError;
-  decide(plan, scene, overlapping, progress.part(0.75, 1.0, "choose"));
+  if (scene.expected() != nullptr) plan.forecast = PlanForecast{scene.expected()->trust, {}, false};
+  decide(plan, scene, images, overlapping, progress.part(0.75, 1.0, "choose"));
   return plan;
 }
 

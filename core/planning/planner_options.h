@@ -3,6 +3,8 @@
 #include <cstddef>
 #include <optional>
 
+#include "forecast/closing_surface.h"
+#include "forecast/forecast_ledger.h"
 #include "planning/choice.h"
 #include "planning/patch_history.h"
 #include "void_space/void_patch_builder.h"
@@ -44,6 +46,20 @@ struct PlannerOptions {
   double facingAngle = radians(60.0);
   /// Nearer to the plane of an opening than this angle from its normal a view hardly looks through it [rad].
   double openingAngle = radians(85.0);
+
+  /// o_v forecasts new surface: what closes the model where nobody has looked is predicted and projected beside the
+  /// void patches, corrected by what the forecasts of the run were worth. Off: o_v is void patch area.
+  bool forecast = false;
+  /// Void patches count beside the predicted surface by so much of their weight: along the border of the model they
+  /// rank what the voxels of the prediction are too coarse for.
+  double patchShare = 0.3;
+  /// F of a forecast is no less than this share of the model's area.
+  double forecastShare = 0.0012;
+  /// When the last view showed more than F, a forecast of more than this share of F is worth one more: the prediction
+  /// may miss what it has never seen. 1: never.
+  double probeShare = 0.5;
+  ClosingOptions closing;
+  LedgerOptions ledger;
 
   /// Lines of sight and observation rays begin this far in front of the surface [sample spacings] ...
   double surfaceOffset = 0.25;

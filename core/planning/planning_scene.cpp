@@ -1,16 +1,23 @@
 #include "planning/planning_scene.h"
 
 #include <algorithm>
+#include <array>
 #include <string>
 #include <utility>
 
 #include "base/errors.h"
+#include "base/parallel.h"
+#include "geometry/mesh_union.h"
 #include "planning/planning_surface.h"
 #include "planning/void_extent.h"
 #include "void_space/void_patch_builder.h"
 
 namespace vantage {
 namespace {
+
+constexpr std::size_t kGrain = 64;
+constexpr double kClearOfBreakdown = radians(2.0);
+constexpr double kExpectedMargin = 0.6;  // [sides of a voxel]
 
 double meanSpacing(const std::vector<View>& views) {
   if (views.empty()) throw InvalidInput("planning has 0 views to go on from, expected at least 1");
@@ -63,6 +70,41 @@ Mesh surfaceOf(const PlanInput& input, const PlannerOptions& options, const std:
   return T_table_object ? transformed(mesh, *T_table_object) : mesh;
 }
 
+// Where the prediction is off by a voxel, its own surface is not to hide it, and what is just steep enough is not to
+// count.
+SightOptions lookingAtExpected(const ScannerProfile& profile, double side) {
+  return {std::max(0.0, profile.breakdownAngle - kClearOfBreakdown), kExpectedMargin * side, kExpectedMargin * side};
+}
+
+std::vector<double> mostSquarely(const ClosingSurface& closing, const std::vector<View>& views, const SightTest& sight,
+                                 const Progress& progress) {
+  std::vector<double> seenAt(closing.faces.size(), 0.0);
+  parallelChunks(seenAt.size(), kGrain, progress, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t f = begin; f < end; ++f)
+      for (const View& view : views) {
+        const Sight s = sight.look(view.T_object_scanner, closing.faces[f].centre, closing.faces[f].normal);
+        if (s.visibility == Visibility::Seen) seenAt[f] = std::max(seenAt[f], s.cosine);
+      }
+  });
+  return seenAt;
+}
+
+std::unique_ptr<const ExpectedSurface> expectedAbout(const Mesh& surface, const RayCaster& obstacles,
+                                                     const std::vector<View>& views, const PlanInput& input,
+                                                     const PlannerOptions& options, const Progress& progress) {
+  if (!options.forecast || surface.empty()) return nullptr;
+  const double spacing = meanSpacing(input.views);
+  ClosingSurface closing = predictClosingSurface(surface, obstacles, views, *input.profile, spacing, options.closing,
+                                                 progress.part(0.0, 0.9));
+  RayCaster itself(closing.mesh);
+  RayCaster all(together(std::array<const Mesh*, 2>{&surface, &closing.mesh}));
+  const SightTest sight(*input.profile, obstacles, lookingAtExpected(*input.profile, closing.side), &itself);
+  std::vector<double> seenAt = mostSquarely(closing, views, sight, progress.part(0.9, 1.0));
+  return std::make_unique<const ExpectedSurface>(ExpectedSurface{std::move(closing), std::move(itself), std::move(all),
+                                                                 trustIn(input.ledger, spacing, options.ledger),
+                                                                 std::move(seenAt)});
+}
+
 }  // namespace
 
 PlanningScene::PlanningScene(const PlanInput& input, const PlannerOptions& options, const Progress& progress)
@@ -80,8 +122,14 @@ PlanningScene::PlanningScene(PlanInput input, std::shared_ptr<const VoidSurface>
       obstacles_(surface_),
       sight_(*input_.profile, obstacles_,
              {input_.profile->breakdownAngle, options_.surfaceOffset * spacing_, options_.sightMargin * spacing_}),
-      history_(patches(), moved(input_.views, T_table_object_), sight_, options_.history, progress.part(0.6, 1.0)),
-      spread_(input_.profile->workspace, mechanics()) {}
+      history_(patches(), moved(input_.views, T_table_object_), sight_, options_.history, progress.part(0.6, 0.7)),
+      spread_(input_.profile->workspace, mechanics()),
+      expected_(expectedAbout(surface_, obstacles_, moved(input_.views, T_table_object_), input_, options_,
+                              progress.part(0.7, 1.0))) {
+  if (expected_)
+    sightOfExpected_ = std::make_unique<const SightTest>(
+        profile(), obstacles_, lookingAtExpected(profile(), expected_->closing.side), &expected_->obstacles);
+}
 
 const Pose& PlanningScene::pose(int position) const {
   const std::vector<Pose>& poses = profile().workspace.poses;

@@ -6,13 +6,15 @@
 #include <vector>
 
 #include "base/progress.h"
+#include "forecast/closing_surface.h"
+#include "forecast/forecast_ledger.h"
 #include "geometry/ray_caster.h"
 #include "integration/model.h"
 #include "planning/patch_history.h"
 #include "planning/planner_options.h"
-#include "planning/sight.h"
 #include "planning/turn_spread.h"
 #include "scanner/profile.h"
+#include "scanner/sight.h"
 #include "scanner/view.h"
 #include "void_space/void_patch.h"
 
@@ -30,6 +32,18 @@ struct PlanInput {
   Pose T_object_table = Pose::Identity();
   /// How well the next move meets its position; nothing for as well as the profile says.
   std::optional<Mechanics> mechanics = {};
+  std::vector<ForecastEntry> ledger = {};  ///< what was forecast of the views so far, and what they showed; in order
+};
+
+/// Surface that nobody has seen, as a plan expects it.
+struct ExpectedSurface {
+  ClosingSurface closing;  ///< in the table's frame
+  RayCaster obstacles;     ///< the closing surface
+  RayCaster all;           ///< the model's surface and the closing surface
+  ForecastTrust trust;     ///< of the run's forecasts
+  /// Per face the cosine at which the view saw it most squarely that should have sampled it, if only just: like a
+  /// patch, a face attracts only views that see it clearly more squarely. 0 where none did.
+  std::vector<double> seenAt;
 };
 
 /// What a plan is made with: everything that plan, images, sights, pictures and certificate have in common, put
@@ -75,6 +89,16 @@ class PlanningScene {
   /// Looks at points in the table's frame up to the breakdown angle.
   [[nodiscard]] const SightTest& sight() const { return sight_; }
 
+  /// What is expected where nobody has looked; null where nothing is forecast.
+  [[nodiscard]] const ExpectedSurface* expected() const { return expected_.get(); }
+  /// Looks at expected surface, a little clear of the breakdown angle. @pre expected() is not null
+  [[nodiscard]] const SightTest& sightOfExpected() const { return *sightOfExpected_; }
+  /// Whether a face of it attracts a view that sees it at that cosine. @pre expected() is not null
+  [[nodiscard]] bool expectedAttracts(std::size_t face, double cosine) const {
+    const double before = expected_->seenAt[face];
+    return before == 0.0 || cosine > before + options_.history.cosineGain;
+  }
+
   /// T_table_scanner of a position.
   /// @throws InvalidInput for a position that the workspace does not have
   [[nodiscard]] const Pose& pose(int position) const;
@@ -102,6 +126,8 @@ class PlanningScene {
   SightTest sight_;
   PatchHistory history_;
   TurnSpread spread_;
+  std::unique_ptr<const ExpectedSurface> expected_;
+  std::unique_ptr<const SightTest> sightOfExpected_;
 };
 
 }  // namespace vantage

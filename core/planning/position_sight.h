@@ -7,7 +7,7 @@
 
 #include "base/progress.h"
 #include "planning/planning_scene.h"
-#include "planning/sight.h"
+#include "scanner/sight.h"
 
 namespace vantage {
 

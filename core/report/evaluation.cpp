@@ -8,7 +8,7 @@
 #include "base/parallel.h"
 #include "base/random.h"
 #include "geometry/ray_caster.h"
-#include "planning/sight.h"
+#include "scanner/sight.h"
 
 namespace vantage {
 namespace {

@@ -2,13 +2,16 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <map>
 #include <string_view>
 
 #include "acquisition/further_scan.h"
 #include "base/errors.h"
+#include "geometry/measures.h"
 #include "planning/choice.h"
 #include "report/areas_known.h"
+#include "report/completeness.h"
 #include "report/edges_left.h"
 #include "report/html_parts.h"
 #include "report/reading_words.h"
@@ -32,6 +35,10 @@ table { border-collapse: collapse; width: 100%; } td, th { padding: .3em .6em; t
 figure { margin: 0; } figcaption, .faint, svg text { color: var(--faint); fill: var(--faint); font-size: 12px; }
 .pictures { display: grid; grid-template-columns: repeat(auto-fill, minmax(280px, 1fr)); gap: 1em; }
 img { width: 100%; border: 1px solid var(--line); } svg { width: 100%; }
+.wide { overflow-x: auto; }
+@media print { body { max-width: none; margin: 0; font-size: 11px; } .wide table { font-size: 9px; }
+  .wide { overflow: visible; } td, th { padding: .2em .3em; } h2 { break-after: avoid; }
+  figure, tr, svg { break-inside: avoid; } }
 .bar { fill: var(--bar); } .marked { fill: var(--mark); } .axis { stroke: var(--line); }
 .threshold { stroke: var(--mark); stroke-dasharray: 5 4; } .line { fill: none; stroke: var(--bar); stroke-width: 2; }
 </style>
@@ -61,12 +68,32 @@ std::string readingRows(const AcquisitionState& state) {
   return html;
 }
 
+// A report is handed on: where files were on this machine is nobody's business.
+std::string fileName(const std::string& path) {
+  return std::filesystem::path(path).filename().string();
+}
+
+std::string completenessRows(const AcquisitionState& state) {
+  if (!state.model) return {};
+  const Vec3 size = boundingBox(state.model->mesh).size();
+  const Completeness complete = completenessOf(state.model->mesh, state.plan.get());
+  const bool hiddenIsKnown = state.plan && state.plan->voids && state.plan->outcome != PlanOutcome::Found;
+  std::string html = htmlRow({"Size", decimalText(size.x(), 1) + " × " + decimalText(size.y(), 1) + " × " +
+                                          decimalText(size.z(), 1) + " mm, all lengths in millimetres"});
+  if (hiddenIsKnown)
+    html += htmlRow({"Covered of what the scanner reaches", decimalText(100.0 * complete.scannableCovered, 1) + " %"});
+  html += htmlRow({"Covered of the whole, at most", decimalText(100.0 * complete.wholeCovered, 1) + " %"});
+  html += htmlRow({"Openings", std::to_string(complete.holes)});
+  html += htmlRow({"Loose pieces", std::to_string(complete.pieces)});
+  return html + htmlRow({"Closed", complete.closed ? "yes" : "no"});
+}
+
 std::string summaryHtml(const AcquisitionState& state) {
   const AcquisitionSettings& settings = state.settings;
   const auto model = modelJson(state.model ? state.model->mesh : Mesh{});
   std::string html = "<p>" + endingText(state) + "</p>\n<table>";
-  html += htmlRow(
-      {"Object", escapedHtml(settings.simulation.object.empty() ? "recorded scans" : settings.simulation.object)});
+  html += htmlRow({"Object", escapedHtml(settings.simulation.object.empty() ? "recorded scans"
+                                                                            : fileName(settings.simulation.object))});
   html += htmlRow({"Scanner", escapedHtml(state.profile ? state.profile->name : "none: recorded scans")});
   html += htmlRow({"Views", std::to_string(countScans(state, ScanStatus::In)) + " integrated, " +
                                 std::to_string(countScans(state, ScanStatus::Rejected)) + " not registered, " +
@@ -74,6 +101,7 @@ std::string summaryHtml(const AcquisitionState& state) {
   html += htmlRow(
       {"Model", model["triangles"].dump() + " triangles, " + decimalText(model["area_mm2"].get<double>(), 0) + " mm²"});
   html += readingRows(state);
+  html += completenessRows(state);
   html += htmlRow({"Boundary", model["boundary_edges"].dump() + " edges"});
   return html + "</table>\n";
 }
@@ -112,15 +140,16 @@ std::string thinningHtml(const AcquisitionState& state) {
 
 std::string viewsHtml(const AcquisitionState& state) {
   std::string html =
-      "<h2>Views</h2>\n<p class=\"faint\">Void and overlap as promised by the plan, weighted by confidence; areas "
-      "as they came [mm²]; registration residual [mm].</p>\n<table>";
-  html += htmlRow({"View", "Position", "Samples", "Void promised", "Overlap promised", "New area", "Overlap",
+      "<h2>Views</h2>\n<p class=\"faint\">What the plan promised, and what came [mm²]; registration residual [mm]. A "
+      "promise counts only the strip beside the border of the model that a view shows for certain, weighted by how "
+      "squarely it is seen; the new area is all surface that the view brought, and as a rule much larger.</p>\n<div "
+      "class=\"wide\"><table>";
+  html += htmlRow({"Scan", "Position", "Samples", "Void promised", "Overlap promised", "New area", "Overlap",
                    "Residual", "Verdict"},
                   "th");
-  std::size_t index = 0;
   for (const KeptScan* scan : scansOf(state, ScanStatus::In)) {
     const ScanRecord& r = scan->record;
-    html += "<tr>" + htmlCell(std::to_string(++index)) + htmlCell(positionText(*scan)) +
+    html += "<tr>" + htmlCell(std::to_string(scan->number)) + htmlCell(positionText(*scan)) +
             htmlCell(std::to_string(r.samples)) + promisedCells(r) +
             htmlCell(areasKnown(r) ? decimalText(r.newArea, 0) : "–") +
             htmlCell(areasKnown(r) ? decimalText(r.overlapArea, 0) : "–") +
@@ -128,13 +157,15 @@ std::string viewsHtml(const AcquisitionState& state) {
             "</tr>\n";
   }
   for (const KeptScan* scan : scansOf(state, ScanStatus::Rejected))
-    html += htmlRow({"not integrated", positionText(*scan), std::to_string(scan->record.samples), "", "", "", "",
-                     decimalText(scan->record.registration.rms, 3),
-                     escapedHtml(describe(scan->record.registration.finding))});
+    html +=
+        htmlRow({std::to_string(scan->number) + ", did not fit", positionText(*scan),
+                 std::to_string(scan->record.samples), "", "", "", "", decimalText(scan->record.registration.rms, 3),
+                 escapedHtml(describe(scan->record.registration.finding))});
   for (const KeptScan* scan : scansOf(state, ScanStatus::LeftOut))
-    html += htmlRow({"left out", positionText(*scan), std::to_string(scan->record.samples), "", "", "", "",
-                     decimalText(scan->record.registration.rms, 3), "by the operator"});
-  return html + "</table>\n" + thinningHtml(state);
+    html +=
+        htmlRow({std::to_string(scan->number) + ", left out", positionText(*scan), std::to_string(scan->record.samples),
+                 "", "", "", "", decimalText(scan->record.registration.rms, 3), "by the operator"});
+  return html + "</table></div>\n" + thinningHtml(state);
 }
 
 std::string objectiveFigure(const Plan& plan, const std::string& when) {
@@ -150,12 +181,10 @@ std::string objectiveFigure(const Plan& plan, const std::string& when) {
 
 std::string objectiveHtml(const AcquisitionState& state) {
   std::string html;
-  std::size_t index = 0;
   std::shared_ptr<const Plan> last;
   for (const KeptScan* scan : scansOf(state, ScanStatus::In)) {
-    ++index;
     last = scan->record.planAfter;
-    if (last && !last->scores.empty()) html += objectiveFigure(*last, "After view " + std::to_string(index));
+    if (last && !last->scores.empty()) html += objectiveFigure(*last, "After scan " + std::to_string(scan->number));
   }
   // The plan that holds may be a later one: views were left out, or settings changed.
   if (state.plan && state.plan != last && !state.plan->scores.empty()) html += objectiveFigure(*state.plan, "Now");
@@ -163,14 +192,13 @@ std::string objectiveHtml(const AcquisitionState& state) {
 }
 
 std::string timesHtml(const AcquisitionState& state) {
-  std::string html = "<h2>Time of each phase [s]</h2>\n<table>";
-  std::vector<std::string> head{"View"};
+  std::string html = "<h2>Time of each phase [s]</h2>\n<div class=\"wide\"><table>";
+  std::vector<std::string> head{"Scan"};
   for (int phase = 0; phase < kPhases; ++phase) head.emplace_back(titleOf(static_cast<Phase>(phase)));
   html += htmlRow(head, "th");
   std::array<double, kPhases> total{};
-  std::size_t index = 0;
   for (const KeptScan* scan : scansOf(state, ScanStatus::In)) {
-    std::vector<std::string> cells{std::to_string(++index)};
+    std::vector<std::string> cells{std::to_string(scan->number)};
     for (int phase = 0; phase < kPhases; ++phase) {
       const auto it = scan->record.seconds.find(static_cast<Phase>(phase));
       const double seconds = it == scan->record.seconds.end() ? 0.0 : it->second;
@@ -181,7 +209,7 @@ std::string timesHtml(const AcquisitionState& state) {
   }
   std::vector<std::string> sums{"All"};
   for (const double seconds : total) sums.push_back(decimalText(seconds, 2));
-  return html + htmlRow(sums, "th") + "</table>\n";
+  return html + htmlRow(sums, "th") + "</table></div>\n";
 }
 
 std::string remainingHtml(const AcquisitionState& state) {

@@ -35,10 +35,12 @@ Json secondsJson(const PhaseTimes& seconds) {
 }
 
 Json predictedJson(const PositionScore& score) {
-  return {{"void_mm2", score.tracedVoidArea.value_or(score.voidArea)},
-          {"overlap_mm2", score.overlapArea},
-          {"worst_direction", describe(score.weakMotions)},
-          {"pose_sigma_mm", score.poseSigma ? finite(*score.poseSigma) : Json(nullptr)}};
+  Json json{{"void_mm2", score.tracedVoidArea.value_or(score.voidArea)},
+            {"overlap_mm2", score.overlapArea},
+            {"worst_direction", describe(score.weakMotions)},
+            {"pose_sigma_mm", score.poseSigma ? finite(*score.poseSigma) : Json(nullptr)}};
+  if (score.uncorrected) json["uncorrected_mm2"] = *score.uncorrected;
+  return json;
 }
 
 Json objectiveJson(const Plan& plan) {
@@ -96,6 +98,7 @@ Json viewJson(const KeptScan& scan, std::size_t index) {
                     {"relaxations", record.planAfter->relaxations},
                     {"table_alone", record.planAfter->tableAlone},
                     {"angular_error_deg", degrees(record.planAfter->angularError)}};
+    if (record.planAfter->forecast) json["plan"]["forecast"] = forecastJson(*record.planAfter->forecast);
   }
   json["seconds"] = secondsJson(record.seconds);
   return json;
@@ -145,6 +148,14 @@ nlohmann::ordered_json voidJson(const Plan& plan) {
   Json json = voidCountsJson(*plan.voids);
   json["answered"] =
       std::count_if(plan.outlook.begin(), plan.outlook.end(), [](const PatchOutlook& o) { return o.answered; });
+  return json;
+}
+
+nlohmann::ordered_json forecastJson(const PlanForecast& forecast) {
+  Json json{{"factor", forecast.trust.factor}, {"spread", forecast.trust.spread}, {"probing", forecast.probing}};
+  if (forecast.left)
+    json["left"] = {
+        {"area_mm2", forecast.left->area}, {"least_mm2", forecast.left->least}, {"most_mm2", forecast.left->most}};
   return json;
 }
 

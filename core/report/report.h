@@ -21,6 +21,9 @@ namespace vantage {
 /// The same for a plan, and how many are answered.
 [[nodiscard]] nlohmann::ordered_json voidJson(const Plan& plan);
 
+/// What the forecasts of a plan are worth and, at the end, how much surface is believed to be left.
+[[nodiscard]] nlohmann::ordered_json forecastJson(const PlanForecast& forecast);
+
 /// Boundary that is left, by reason.
 [[nodiscard]] nlohmann::ordered_json remainingJson(const Plan& plan);
 

@@ -27,9 +27,9 @@ std::string chosenText(PoseChoice choice) {
 
 // What came of a stand, as a sentence.
 std::string outcome(const AcquisitionState& state, int index) {
-  if (index == 0) return "The first stand: the object's coordinates are those of its table.";
+  if (index == referenceOf(state.stands)) return "The reference: the object's coordinates are those of its table.";
   const auto& alignment = state.stands[static_cast<std::size_t>(index)].alignment;
-  const bool known = compositeOf(state, index) == kObjectComposite;
+  const bool known = isOfObject(state, index);
   if (!alignment) return known ? "In place, as the operator said." : "Not aligned yet: its scans are not in the model.";
   const std::string verdict =
       "Verdict " + std::string(name(alignment->verdict)) + ": " + escapedHtml(describe(*alignment)) + ". ";

@@ -57,7 +57,7 @@ Json standsJson(const AcquisitionState& state) {
   Json stands = Json::array();
   for (int index = 0; index <= state.stand(); ++index) {
     const Stand& stand = state.stands[static_cast<std::size_t>(index)];
-    const bool known = compositeOf(state, index) == kObjectComposite;
+    const bool known = isOfObject(state, index);
     Json json{{"index", index},
               {"rotation", known ? rotationJson(*stand.T_object_table) : Json(nullptr)},
               {"views", Json::array()},
@@ -71,7 +71,7 @@ Json standsJson(const AcquisitionState& state) {
       }
       if (isIn) ++view;
     }
-    if (index == 0) {
+    if (index == referenceOf(state.stands)) {
       json["verdict"] = "reference";
       json["reason_code"] = "first_stand";
       json["candidates"] = Json::array();

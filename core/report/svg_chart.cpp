@@ -32,11 +32,11 @@ void check(const std::vector<double>& values, const std::string& title) {
                          " cannot be drawn, expected 0 or more");
 }
 
-// The least of 1, 2 and 5 times a power of ten that is no less than the value.
+// A round number that is no less than the value, and not much more.
 double roundedUp(double value) {
   if (value <= 0.0) return 1.0;
   const double power = std::pow(10.0, std::floor(std::log10(value)));
-  for (const double factor : {1.0, 2.0, 5.0})
+  for (const double factor : {1.0, 1.2, 1.6, 2.0, 2.4, 3.0, 4.0, 5.0, 6.0, 8.0})
     if (factor * power >= value) return factor * power;
   return 10.0 * power;
 }

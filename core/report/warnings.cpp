@@ -43,7 +43,7 @@ Warning warningOf(WarningCode code, const KeptScan& scan) {
 void addStands(const AcquisitionState& state, std::vector<Warning>& warnings) {
   for (int stand = 0; stand <= state.stand(); ++stand) {
     const auto& alignment = state.stands[static_cast<std::size_t>(stand)].alignment;
-    const bool known = compositeOf(state, stand) == kObjectComposite;
+    const bool known = isOfObject(state, stand);
     const bool isWell = known ? !alignment || alignment->choice != PoseChoice::Despite
                               : std::none_of(state.scans.begin(), state.scans.end(),
                                              [&](const KeptScan& scan) { return scan.station().stand == stand; });

@@ -73,6 +73,9 @@ Phrase phraseFor(const ChooseStandPose& command) {
   return words("Pose %1 chosen for stand %2",
                {asIs(std::to_string(command.pose)), asIs(std::to_string(command.stand))});
 }
+Phrase phraseFor(const TakeReference& command) {
+  return words("Object known by stand %1", {asIs(std::to_string(command.stand))});
+}
 Phrase phraseFor(const ChangeMode& command) {
   return command.mode == Mode::Automatic ? words("Automatic from here") : words("Assisted from here");
 }

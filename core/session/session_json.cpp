@@ -111,7 +111,8 @@ std::vector<Stand> standsFromText(const std::string& text, const std::string& wh
   const Json json = jsonObject(text, what);
   const JsonFields fields(json, what);
   std::vector<Stand> stands;
-  for (const Json& stand : fields.list("stands")) stands.push_back(standFrom(stand, what));
+  for (const Json& stand : fields.list("stands"))
+    stands.push_back(standFrom(stand, static_cast<int>(stands.size()), what));
   if (stands.empty()) fields.fail("stands");
   return stands;
 }
@@ -166,6 +167,29 @@ ScanRecord recordFromText(const std::string& text, const std::string& what) {
   return r;
 }
 
+namespace {
+
+Json forecastJson(const PlanForecast& forecast) {
+  Json json{{"factor", jsonNumber(forecast.trust.factor)},
+            {"spread", jsonNumber(forecast.trust.spread)},
+            {"probing", forecast.probing}};
+  if (forecast.left)
+    json["left"] = {{"area_mm2", jsonNumber(forecast.left->area)},
+                    {"least_mm2", jsonNumber(forecast.left->least)},
+                    {"most_mm2", jsonNumber(forecast.left->most)}};
+  return json;
+}
+
+PlanForecast forecastFrom(const JsonFields& fields) {
+  PlanForecast forecast{{fields.number("factor"), fields.number("spread")}, {}, fields.flag("probing")};
+  if (!fields.has("left")) return forecast;
+  const JsonFields left = fields.object("left");
+  forecast.left = SurfaceLeft{left.number("area_mm2"), left.number("least_mm2"), left.number("most_mm2")};
+  return forecast;
+}
+
+}  // namespace
+
 std::string planText(const Plan& plan) {
   Json json{{"outcome", name(plan.outcome)},
             {"position", plan.position.value_or(-1)},
@@ -176,6 +200,7 @@ std::string planText(const Plan& plan) {
             {"table_alone", plan.tableAlone},
             {"angular_error_rad", jsonNumber(plan.angularError)},
             {"scores", Json::array()}};
+  if (plan.forecast) json["forecast"] = forecastJson(*plan.forecast);
   for (const PositionScore& score : plan.scores) json["scores"].push_back(storedScoreJson(score));
   return json.dump();
 }
@@ -191,6 +216,7 @@ Plan planFromText(const std::string& text, const std::string& what) {
   plan.relaxations = fields.integer("relaxations");
   plan.tableAlone = fields.has("table_alone") && fields.flag("table_alone");
   plan.angularError = fields.number("angular_error_rad");
+  if (fields.has("forecast")) plan.forecast = forecastFrom(fields.object("forecast"));
   for (const Json& score : fields.list("scores")) {
     plan.scores.push_back(scoreFrom({score, what}));
     if (plan.scores.back().position != static_cast<int>(plan.scores.size()) - 1) fields.fail("scores");

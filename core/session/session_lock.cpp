@@ -58,7 +58,7 @@ SessionLock::SessionLock(const std::string& session) : path_(session + ".lock") 
     if (flock(descriptor, LOCK_EX | LOCK_NB) != 0) {
       const std::string holder = holderIn(descriptor);
       ::close(descriptor);
-      throw IoError(session, "is open for writing in " + holder + "; close it there, or open it for reading");
+      throw SessionInUse(session, "is open for writing in " + holder + "; close it there, or open it for reading");
     }
     if (sameFile(descriptor, path_)) {
       descriptor_ = descriptor;

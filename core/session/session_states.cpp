@@ -51,6 +51,11 @@ bool isWhole(const AcquisitionState& state, const StateOutline& outline) {
   return true;
 }
 
+// Whether a scan was registered in the same way, and in the same frame.
+bool sameRegistration(const RegistrationResult& a, const RegistrationResult& b) {
+  return a.verdict == b.verdict && a.T_object_scanner.matrix() == b.T_object_scanner.matrix();
+}
+
 }  // namespace
 
 void SessionStates::lose(Loss loss) {
@@ -326,13 +331,13 @@ std::shared_ptr<const Model> SessionStates::replayedModel(const std::vector<View
 }
 
 // Says which steps made the record of a scan and the plan after it. A record is written again where a scan that waited
-// was placed, and where later scans have settled a verdict.
+// was placed, where later scans have settled a verdict, and where the object's frame is another one.
 void SessionStates::findSteps(OutlinedScan& scan, bool planned, const StateOutline& before, std::int64_t step) {
   const auto old = std::find_if(before.scans.begin(), before.scans.end(),
                                 [&](const OutlinedScan& o) { return o.scan == scan.scan; });
   const bool known =
       old != before.scans.end() && (old->status != ScanStatus::Waiting || scan.status == ScanStatus::Waiting);
-  const bool unchanged = known && old->record->registration.verdict == scan.record->registration.verdict;
+  const bool unchanged = known && sameRegistration(old->record->registration, scan.record->registration);
   if (unchanged) scan.record = old->record;
   scan.recordStep = unchanged ? old->recordStep : step;
   scan.planStep = !planned ? 0 : known ? old->planStep : step;

@@ -1,5 +1,6 @@
 #include "session/stand_json.h"
 
+#include <algorithm>
 #include <memory>
 #include <utility>
 
@@ -80,14 +81,17 @@ StandAlignment alignmentFrom(const JsonFields& fields) {
 Json standJson(const Stand& stand) {
   Json json{{"T_object_table", standPoseJson(stand.T_object_table)}};
   if (stand.down) json["down"] = numberList(*stand.down, 3);
+  if (stand.reference != 0) json["reference"] = stand.reference;
   if (stand.alignment) json["alignment"] = alignmentJson(*stand.alignment);
   return json;
 }
 
-Stand standFrom(const Json& json, const std::string& what) {
+Stand standFrom(const Json& json, int index, const std::string& what) {
   const JsonFields fields(json, what);
   Stand stand{standPoseFrom(fields, json, "T_object_table")};
   if (fields.has("down")) stand.down = pointFrom(fields, "down");
+  if (fields.has("reference"))
+    stand.reference = static_cast<int>(fields.integer("reference", 0, std::max(index - 1, 0)));
   if (fields.has("alignment"))
     stand.alignment = std::make_shared<const StandAlignment>(alignmentFrom(fields.object("alignment")));
   return stand;

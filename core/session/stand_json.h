@@ -12,7 +12,8 @@ namespace vantage {
 
 /// JSON of what is known of a stand. Readers take nothing on trust: @throws InvalidInput.
 [[nodiscard]] nlohmann::json standJson(const Stand& stand);
-[[nodiscard]] Stand standFrom(const nlohmann::json& json, const std::string& what);
+/// @param index of the stand
+[[nodiscard]] Stand standFrom(const nlohmann::json& json, int index, const std::string& what);
 
 [[nodiscard]] nlohmann::json picksJson(const PickedPairs& picks);
 [[nodiscard]] PickedPairs picksFrom(const nlohmann::json& list, const std::string& what);

@@ -30,6 +30,17 @@ void addScore(ContentHash& hash, const PositionScore& score) {
   hash.add(score.constraint);
   hash.add(score.shortBy);
   hash.add(score.patches);
+  if (score.uncorrected) hash.add(*score.uncorrected);
+}
+
+void addForecast(ContentHash& hash, const PlanForecast& forecast) {
+  hash.add(forecast.trust.factor);
+  hash.add(forecast.trust.spread);
+  hash.add(forecast.probing);
+  if (!forecast.left) return;
+  hash.add(forecast.left->area);
+  hash.add(forecast.left->least);
+  hash.add(forecast.left->most);
 }
 
 void addPlan(ContentHash& hash, const Plan& plan) {
@@ -42,6 +53,7 @@ void addPlan(ContentHash& hash, const Plan& plan) {
   if (plan.tableAlone) hash.add(plan.tableAlone);
   hash.add(plan.angularError);
   for (const PositionScore& score : plan.scores) addScore(hash, score);
+  if (plan.forecast) addForecast(hash, *plan.forecast);
 }
 
 void addPatches(ContentHash& hash, const Plan& plan) {
@@ -145,6 +157,7 @@ void addStand(ContentHash& hash, const Stand& stand) {
   hash.add(stand.T_object_table.has_value());
   if (stand.T_object_table) addPose(hash, *stand.T_object_table);
   if (stand.down) addPoint(hash, *stand.down);
+  if (stand.reference != 0) hash.add(stand.reference);
   if (stand.alignment) addAlignment(hash, *stand.alignment);
 }
 

@@ -67,6 +67,7 @@ Json storedScoreJson(const PositionScore& s) {
             {"short_by", jsonNumber(s.shortBy)}};
   if (s.tracedVoidArea) json["traced_void_mm2"] = jsonNumber(*s.tracedVoidArea);
   if (s.poseSigma) json["pose_sigma_mm"] = jsonNumber(*s.poseSigma);
+  if (s.uncorrected) json["uncorrected_mm2"] = jsonNumber(*s.uncorrected);
   return json;
 }
 
@@ -77,6 +78,7 @@ PositionScore scoreFrom(const JsonFields& fields) {
   s.overlapArea = fields.number("overlap_mm2");
   if (fields.has("traced_void_mm2")) s.tracedVoidArea = fields.number("traced_void_mm2");
   if (fields.has("pose_sigma_mm")) s.poseSigma = fields.number("pose_sigma_mm");
+  if (fields.has("uncorrected_mm2")) s.uncorrected = fields.number("uncorrected_mm2");
   s.weakMotions = motionsFrom(fields, "worst_direction");
   s.constraint = fields.named("constraint", Constraint::PoseUncertain);
   s.shortBy = fields.number("short_by");

@@ -174,6 +174,15 @@ expect 4 "5 views" "$cli" resume "$work/killed/session.vantage" --out "$work/aga
 cmp "$work/whole/model.ply" "$work/again/model.ply" || failures=$((failures + 1))
 expect 1 "no such file" "$cli" resume "$work/nothing.vantage"
 
+# Positions that nobody planned: just these, also beyond the end that the limit set.
+expect 1 "position 90, the workspace has positions 0 to 89" "$cli" resume "$work/killed/session.vantage" --positions 12,90
+expect 1 "position -1" "$cli" resume "$work/killed/session.vantage" --positions=-1
+expect 2 "" "$cli" resume "$work/killed/session.vantage" --positions twelve
+cp "$work/killed/session.vantage" "$work/forced.vantage"
+expect 4 "7 views" "$cli" resume "$work/forced.vantage" --positions 12,40 --out "$work/forced"
+expect 0 '"position": 40' "$cli" report "$work/forced.vantage" --json
+expect 4 "7 views" "$cli" resume "$work/forced.vantage" --out "$work/forced"
+
 # Options: what is listed can be set, what cannot be is refused with key, value and expectation.
 expect 0 "--port" "$cli" devices --help
 expect 1 "there is no such port" "$cli" devices --port "$work/no_port"

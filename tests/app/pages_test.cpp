@@ -14,6 +14,7 @@
 #include <QTemporaryDir>
 #include <cmath>
 
+#include "app/desk.h"
 #include "app/window_checks.h"
 #include "geometry/measures.h"
 #include "main_window.h"
@@ -27,57 +28,7 @@
 namespace vantage {
 namespace {
 
-// A window that works at once, before the mug and a folder of its own.
-class Desk {
- public:
-  Desk(const QSize& size, bool dark) {
-    QDir(folder()).removeRecursively();
-    Preferences preferences;
-    preferences.theme = dark ? 1 : 0;
-    window_ = std::make_unique<MainWindow>(
-        WindowParts{controller_, jobs_, testing::testSurfaces(), QStringLiteral(VANTAGE_RESOURCES)}, preferences);
-    window_->resize(size);
-    window_->show();
-    window_->findChild<QSpinBox*>("max_views")->setValue(2);
-    window_->findChild<QLineEdit*>("folder")->setText(folder());
-    QObject::connect(&controller_, &SessionController::failed,
-                     [](const QString& what) { ADD_FAILURE() << what.toStdString(); });
-    settle();
-  }
-  ~Desk() { QDir(folder()).removeRecursively(); }
-  Desk(const Desk&) = delete;
-  Desk& operator=(const Desk&) = delete;
-
-  void next() {
-    window_->wizard().goOn();
-    settle();
-  }
-  // The picture of the window as it is, kept beside the other screenshots.
-  QImage picture(const QString& name) {
-    window_->views().model().view().finishLoading();
-    settle();
-    QImage image = window_->grab().toImage();
-    QDir().mkpath(QStringLiteral(VANTAGE_SCREENSHOT_DIR));
-    const QString scale = image.devicePixelRatio() > 1.0 ? QStringLiteral("_x2") : QString();
-    image.save(QStringLiteral(VANTAGE_SCREENSHOT_DIR) + "/window_" + name + scale + ".png");
-    return image;
-  }
-  SessionController& controller() { return controller_; }
-  MainWindow& window() { return *window_; }
-
- private:
-  // The same in every run: it is written on the pages. Tests at another scale may run beside these.
-  static QString folder() {
-    return QDir::temp().filePath(QStringLiteral("vantage-pages-%1").arg(qApp->devicePixelRatio()));
-  }
-  static void settle() {
-    for (int i = 0; i < 5; ++i) QCoreApplication::processEvents();
-  }
-
-  SynchronousJobRunner jobs_;
-  SessionController controller_{jobs_, QDir::temp().filePath("vantage-pages-cache").toStdString()};
-  std::unique_ptr<MainWindow> window_;
-};
+using testing::Desk;
 
 struct Look {
   const char* name;
@@ -285,6 +236,7 @@ TEST_F(Told, WhatIsKnownOfRecordedScansIsAskedInOneDialog) {
   EXPECT_EQ(testing::clipped(*dialog).join(" | ").toStdString(), "");
   EXPECT_EQ(testing::nameless(*dialog).join(" | ").toStdString(), "");
   EXPECT_EQ(testing::unexplained(*dialog).join(" | ").toStdString(), "");
+  EXPECT_EQ(testing::collidingMnemonics(*dialog).join(" | ").toStdString(), "");
   dialog->reject();
 }
 

@@ -35,14 +35,14 @@ class SessionKeeperTest : public ::testing::Test {
 
 TEST_F(SessionKeeperTest, WhatArrivesIsKeptOnceItIsAdopted) {
   static_cast<void>(testing::importSmallScans(path().toStdString()));
-  keeper_.open(path());
+  keeper_.open(path(), SessionAccess::Write);
   ASSERT_TRUE(opened_.session);
   EXPECT_GT(scans_, 1U);
   EXPECT_EQ(page_, "review") << "where the state of a session leads that no window has had";
   EXPECT_FALSE(imported_);
   EXPECT_EQ(keeper_.session(), nullptr);
   EXPECT_EQ(keeper_.path(), "");
-  keeper_.adopt(opened_.session, page_);
+  keeper_.adopt(opened_.session, opened_.access, page_);
   EXPECT_EQ(keeper_.session(), opened_.session);
   EXPECT_EQ(keeper_.path(), path());
   EXPECT_EQ(keeper_.page(), "review");
@@ -53,12 +53,12 @@ TEST_F(SessionKeeperTest, WhatArrivesIsKeptOnceItIsAdopted) {
 
 TEST_F(SessionKeeperTest, ASessionKeepsItsPage) {
   static_cast<void>(testing::importSmallScans(path().toStdString()));
-  keeper_.open(path());
-  keeper_.adopt(opened_.session, page_);
+  keeper_.open(path(), SessionAccess::Write);
+  keeper_.adopt(opened_.session, opened_.access, page_);
   keeper_.rememberPage("finish");
   keeper_.letGo();
   opened_ = {};
-  keeper_.open(path());
+  keeper_.open(path(), SessionAccess::Write);
   EXPECT_EQ(page_, "finish");
 }
 

@@ -56,8 +56,8 @@ TEST(WhyCard, SaysWhatTheProposedPositionWinsAndWhatRegistrationWillBeWorth) {
   EXPECT_EQ(find(card.figures, "o_s")->value, "800\u00a0mm²");
   EXPECT_EQ(find(card.figures, "Registration error")->value, "0.012 mm");
   EXPECT_TRUE(find(card.figures, "Registration error")->remark.contains("turns about z"));
-  EXPECT_EQ(find(card.figures, "patches")->value, "2");
-  EXPECT_EQ(find(card.figures, "patches")->remark, "1 outer jumps, 1 rim");
+  EXPECT_EQ(find(card.figures, "edges it wins")->value, "2");
+  EXPECT_EQ(find(card.figures, "edges it wins")->remark, "1 × edge against the background, 1 × rim of the scan");
   EXPECT_EQ(card.comparison, "The runner-up, position 2, shows 170\u00a0mm² less and overlaps 200\u00a0mm² more.");
 }
 
@@ -83,8 +83,24 @@ TEST(WhyCard, AddsWhatKeepsPatchesFromSightOnceItIsComputed) {
   const WhyFigure* light = find(card.sights, "light blocked");
   ASSERT_NE(light, nullptr);
   EXPECT_EQ(light->value, "12.5\u00a0mm²");
-  EXPECT_TRUE(light->remark.contains("triangle 77"));
+  EXPECT_EQ(light->remark, "");
   EXPECT_EQ(card.sights.size(), kVisibilities);
+}
+
+TEST(WhyCard, SaysAlsoThatWhatShowsTooLittleCouldNotBeRegistered) {
+  auto plan = std::make_shared<Plan>(*makePlan());
+  plan->scores[2].constraint = Constraint::BelowThreshold;
+  const auto verdict = [&] { return makeWhyCard({explain(*plan, 2), plan, nullptr, nullptr}).verdict; };
+  EXPECT_FALSE(verdict().contains("too little to be registered"));
+  plan->scores[2].overlapArea = 0.0;
+  EXPECT_TRUE(verdict().contains("too little to be registered"));
+}
+
+TEST(Figures, AreGroupedFromFiveDigitsOn) {
+  EXPECT_EQ(figureText(9999.0), "9999");
+  EXPECT_EQ(figureText(31179.0), QString::fromUtf8("31\u202f179"));
+  EXPECT_EQ(figureText(-1234567.25, 2), QString::fromUtf8("-1\u202f234\u202f567.25"));
+  EXPECT_EQ(countText(60000), QString::fromUtf8("60\u202f000"));
 }
 
 TEST(WhyCard, SaysWhenNothingElseIsAllowed) {

@@ -2,8 +2,14 @@
 
 #include <QAbstractButton>
 #include <QAbstractSpinBox>
+#include <QAction>
 #include <QComboBox>
+#include <QKeySequence>
 #include <QLabel>
+#include <QMap>
+#include <QMenu>
+#include <QMenuBar>
+#include <QTabBar>
 
 #include "screenshots/painted_text.h"
 
@@ -43,6 +49,61 @@ QStringList unexplained(const QWidget& window) {
     if (!control || !widget->isVisible() || widget->isEnabled()) continue;
     if (widget->toolTip().isEmpty() || widget->toolTip() == widget->property("help").toString())
       names << widget->objectName() + QLatin1Char(' ') + widget->metaObject()->className();
+  }
+  return names;
+}
+
+namespace {
+
+// The letter that a text is reached by; null for none.
+QChar mnemonicOf(const QString& text) {
+  const QKeySequence keys = QKeySequence::mnemonic(text);
+  if (keys.isEmpty()) return {};
+  const QString name = keys.toString(QKeySequence::PortableText);
+  return name.back();
+}
+
+void addCollisions(const QStringList& texts, QStringList& collisions) {
+  QMap<QChar, QString> known;
+  for (const QString& text : texts) {
+    const QChar letter = mnemonicOf(text);
+    if (letter.isNull()) continue;
+    if (known.contains(letter)) collisions << known[letter] + QStringLiteral(" / ") + text;
+    known[letter] = text;
+  }
+}
+
+QStringList textsOf(const QMenu& menu) {
+  QStringList texts;
+  for (const QAction* action : menu.actions())
+    if (action->isVisible() && !action->isSeparator()) texts << action->text();
+  return texts;
+}
+
+}  // namespace
+
+QStringList collidingMnemonics(const QWidget& window) {
+  QStringList collisions;
+  QStringList together;
+  for (const auto* bar : window.findChildren<QMenuBar*>())
+    for (const QAction* action : bar->actions()) together << action->text();
+  for (const auto* button : window.findChildren<QAbstractButton*>())
+    if (button->isVisible()) together << button->text();
+  addCollisions(together, collisions);
+  for (const auto* menu : window.findChildren<QMenu*>()) addCollisions(textsOf(*menu), collisions);
+  return collisions;
+}
+
+QStringList beyondTheKeyboard(const QWidget& window) {
+  QStringList names;
+  for (const auto* button : window.findChildren<QAbstractButton*>()) {
+    // What a larger control is made of is reached with it.
+    const QString name = button->metaObject()->className();
+    const bool part = name == QLatin1String("QDockWidgetTitleButton") || name == QLatin1String("QTabBar") ||
+                      qobject_cast<const QTabBar*>(button->parentWidget()) != nullptr ||
+                      button->objectName().startsWith(QLatin1String("qt_"));
+    if (!part && button->isVisible() && button->isEnabled() && (button->focusPolicy() & Qt::TabFocus) != Qt::TabFocus)
+      names << button->objectName() + QLatin1Char(' ') + button->text();
   }
   return names;
 }

@@ -18,4 +18,10 @@ namespace vantage::testing {
 /// Whether a text is written anywhere in the window, in one piece of text or as a part of one.
 [[nodiscard]] bool says(QWidget& window, const QString& text);
 
+/// What is reached by the same letter at the same time: titles of menus and visible buttons, and within a menu.
+[[nodiscard]] QStringList collidingMnemonics(const QWidget& window);
+
+/// Visible buttons that can be used, but not reached by the keyboard.
+[[nodiscard]] QStringList beyondTheKeyboard(const QWidget& window);
+
 }  // namespace vantage::testing

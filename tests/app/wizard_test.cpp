@@ -2,6 +2,7 @@
 // gives it one.
 #include <gtest/gtest.h>
 
+#include <QDialog>
 #include <QFile>
 #include <QLineEdit>
 #include <QListWidget>
@@ -98,6 +99,31 @@ TEST(Wizard, StopIsAnsweredAtOnceWhateverIsBeingComputed) {
     EXPECT_LE(watch.milliseconds(), kLongestCancel) << "stopped after " << moment << " ms";
     if (me.controller().now() && me.controller().now()->termination != Termination::Running) break;
   }
+}
+
+// Whatever window has the keyboard.
+TEST(Wizard, EscStopsAlsoInADialog) {
+  QTemporaryDir folder;
+  Operator me(folder.filePath("window"));
+  me.click("next");
+  me.click("next");
+  ASSERT_TRUE(me.waitForPage("acquire"));
+  me.click("run");
+  QTest::qWait(300);
+  ASSERT_FALSE(me.controller().idle());
+  QTest::keyClick(&me.window(), Qt::Key_Escape);
+  ASSERT_TRUE(me.waitUntilIdle());
+  ASSERT_TRUE(!me.controller().now() || me.controller().now()->termination == Termination::Running);
+  me.click("run");
+  QDialog dialog(&me.window());
+  dialog.open();
+  QTest::qWait(300);
+  ASSERT_FALSE(me.controller().idle());
+  QTest::keyClick(&dialog, Qt::Key_Escape);
+  ASSERT_TRUE(me.waitUntilIdle());
+  EXPECT_TRUE(dialog.isVisible()) << "the key stopped what was under way, and closed nothing";
+  QTest::keyClick(&dialog, Qt::Key_Escape);
+  EXPECT_FALSE(dialog.isVisible());
 }
 
 // Drawn and computed beside the window, as in the program.

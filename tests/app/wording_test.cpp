@@ -23,7 +23,7 @@ TEST(WindowWording, CommandsReadAsOnTheCommandLine) {
   for (const Command& command :
        std::vector<Command>{ChangeSettings{}, AddScan{3, {}}, ImportScans{{1, 2}}, ChoosePosition{5}, LeaveOutView{4},
                             TakeBackView{4}, TakeAsFrom{4, 131.0}, Finish{Termination::Running}, TakeOver{},
-                            TurnObject{}, PlaceStand{1, Pose::Identity()}, AlignStand{1}, ChooseStandPose{1, 2},
+                            TurnObject{}, PlaceStand{1, Pose::Identity()}, AlignStand{1}, ChooseStandPose{1, 2}, TakeReference{1},
                             ChangeMode{Mode::Assisted}})
     EXPECT_EQ(commandText(command).toStdString(), describe(command));
 }

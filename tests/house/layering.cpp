@@ -15,9 +15,10 @@ namespace {
 namespace fs = std::filesystem;
 
 // The rooms in the order in which data walks through them.
-constexpr std::array<std::string_view, 14> kRooms{
-    "base",       "geometry",         "scanner",  "registration", "calibration", "integration", "composites",
-    "void_space", "positional_space", "planning", "io",           "acquisition", "session",     "report"};
+constexpr std::array<std::string_view, 15> kRooms{
+    "base",        "geometry",   "scanner",     "registration",     "calibration",
+    "integration", "composites", "void_space",  "positional_space", "forecast",
+    "planning",    "io",         "acquisition", "session",          "report"};
 
 // A header of a heavy dependency, and the only sources of core that may include it.
 struct Door {

@@ -84,7 +84,7 @@ TEST_P(Views, ModelPlainWithVoidByEdgeClass) {
   const QImage image = model(mugUnderWay(), {});
   EXPECT_TRUE(isNotBlank(image));
   expectTitle(image, "Model after 3 views");
-  expectLegend(image, "Void by edge class", true);
+  expectLegend(image, "Unseen edges by kind", true);
   EXPECT_TRUE(showsColour(image, theme().boundary, 0.0005, 40));
   EXPECT_TRUE(matchesBaseline(image, named("model_plain")));
 }
@@ -129,7 +129,7 @@ TEST_P(Views, ModelOfWhichSomeScansSawNoColours) {
 
 TEST_P(Views, VoidByStateAtTheEndTellsReasons) {
   const QImage image = model(mugFinished(), {.voidColouring = VoidColouring::State, .turntable = false});
-  expectLegend(image, "Void by state", true);
+  expectLegend(image, "Unseen edges by state", true);
   EXPECT_TRUE(matchesBaseline(image, named("void_state")));
 }
 

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include "charts/objective_chart.h"
 #include "charts/scanner_picture_chart.h"
 #include "charts/unrolled_map_chart.h"
@@ -51,6 +53,30 @@ TEST(ObjectiveChart, BarsRunThroughThePositionsFromLeftToRight) {
     before = position;
   }
   EXPECT_EQ(before, 11);
+}
+
+TEST(ObjectiveChart, SeveralTiltsLieSideBySideAndEachCanBePicked) {
+  ObjectiveChartData data;
+  for (const double tilt : {0.5, 0.1, 0.3})
+    for (int i = 0; i < 12; ++i) {
+      ObjectiveChartData::Position position;
+      position.azimuth = std::remainder(radians(30.0 * i), 2.0 * kPi);
+      position.tilt = tilt;
+      data.positions.push_back(position);
+    }
+  layTiltsAside(data);
+  EXPECT_EQ(data.tilts, 3);
+  for (int i = 0; i < 12; ++i) {
+    const auto aside = [&](int tilt) { return data.positions[static_cast<std::size_t>(12 * tilt + i)].aside; };
+    EXPECT_NEAR(aside(1), -radians(10.0), 1e-9) << "the lowest";
+    EXPECT_NEAR(aside(2), 0.0, 1e-9);
+    EXPECT_NEAR(aside(0), radians(10.0), 1e-9) << "the highest";
+  }
+  std::set<int> picked;
+  for (int y = 0; y < 400; ++y)
+    for (int x = 0; x < 500; ++x)
+      if (const auto position = positionAt(QPointF(x, y), kArea, data, ObjectiveStyle::Dial)) picked.insert(*position);
+  EXPECT_EQ(picked.size(), 36U);
 }
 
 TEST(ObjectiveChart, OutsideIsNoPosition) {

@@ -3,15 +3,16 @@
 #include <QCoreApplication>
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "charts/axis.h"
+#include "charts/objective_key.h"
 #include "planning/choice.h"
 #include "scanner/table_turn.h"
 
 namespace vantage {
 namespace {
 
-constexpr double kLegendHeight = 40.0;
 constexpr double kLeft = 52.0;
 constexpr double kRight = 12.0;
 constexpr double kTitle = 30.0;
@@ -20,19 +21,6 @@ constexpr double kGap = 30.0;
 struct Text {
   Q_DECLARE_TR_FUNCTIONS(ObjectiveView)
 };
-
-QColor voidColour() {
-  return toColour(categoryColour(1));
-}
-QColor overlapColour() {
-  return toColour(categoryColour(0));
-}
-
-// Positions that the objective rules out keep their place, but step back.
-QColor shaded(QColor colour, bool allowed) {
-  if (!allowed) colour.setAlphaF(0.35F);
-  return colour;
-}
 
 double share(double value, double most) {
   return most > 0.0 ? std::clamp(value / most, 0.0, 1.0) : 0.0;
@@ -45,8 +33,16 @@ double mostOverlap(const ObjectiveChartData& data) {
   return 1.05 * std::max(data.mostOverlap, data.leastOverlap);
 }
 
-QString areaText(double value) {
-  return shortNumber(value) + QStringLiteral(" mm²");
+// "228°", or "228°, 25° up" where the scanner has several heights.
+QString placeText(const ObjectiveChartData& data, const ObjectiveChartData::Position& p) {
+  const double azimuth = degrees(p.azimuth) < -0.5 ? degrees(p.azimuth) + 360.0 : degrees(p.azimuth);
+  const QString text = QString::number(std::lround(azimuth)) + QChar(0x00B0);
+  return data.tilts > 1 ? Text::tr("%1, %2° up").arg(text).arg(std::lround(degrees(p.tilt))) : text;
+}
+
+// How many wedges the dial has side by side.
+std::size_t slotsOf(const ObjectiveChartData& data) {
+  return std::max<std::size_t>(data.positions.size(), 1);
 }
 
 QString titleOf(const ObjectiveChartData& data) {
@@ -64,42 +60,17 @@ void paintHead(QPainter& painter, const QRectF& area, const ObjectiveChartData& 
   paintOverlay(painter, area, {{titleOf(data)}, {}}, theme);
   if (!told || *told >= static_cast<int>(data.positions.size())) return;
   const auto& p = data.positions[static_cast<std::size_t>(*told)];
-  const QString line = Text::tr("position %1: void %2, overlap %3")
-                           .arg(QString::number(*told), areaText(p.voidArea), areaText(p.overlapArea)) +
-                       (p.taken     ? Text::tr(", taken")
-                        : p.allowed ? QString()
-                                    : Text::tr(", ruled out"));
+  const QString line =
+      Text::tr("position %1, at %2: void %3, overlap %4")
+          .arg(QString::number(*told), placeText(data, p), shortArea(p.voidArea), shortArea(p.overlapArea)) +
+      (p.taken     ? Text::tr(", taken")
+       : p.allowed ? QString()
+                   : Text::tr(", ruled out"));
   constexpr double kPixels = 12.0;
   const double needed = QFontMetricsF(pictureFont(kPixels)).horizontalAdvance(line);
   const double pixels = kPixels * std::min(1.0, (area.width() - 20.0) / needed);
   paintText(painter, {area.left() + 9.0, area.top() + 26.0}, Qt::AlignLeft | Qt::AlignTop, line, theme.mutedText,
             pixels);
-}
-
-// What the colours and lines stand for, along the lower border.
-void paintFoot(QPainter& painter, const QRectF& area, const ObjectiveChartData& data, const Theme& theme) {
-  struct Item {
-    QColor colour;
-    QString text;
-    bool line;
-  };
-  const std::array<Item, 4> items{{{voidColour(), Text::tr("o_v: void"), false},
-                                   {theme.threshold, Text::tr("F = %1").arg(areaText(data.terminationThreshold)), true},
-                                   {overlapColour(), Text::tr("o_s: overlap"), false},
-                                   {theme.threshold, Text::tr("t = %1").arg(areaText(data.leastOverlap)), true}}};
-  const double width = (area.width() - 20.0) / 2.0;
-  for (std::size_t i = 0; i < items.size(); ++i) {
-    const double x = area.left() + 10.0 + width * static_cast<double>(i % 2);
-    const std::size_t line = i / 2;
-    const double y = area.bottom() - kLegendHeight + 10.0 + 17.0 * static_cast<double>(line);
-    if (items[i].line) {
-      painter.setPen(QPen(items[i].colour, 1.5, Qt::DashLine));
-      painter.drawLine(QPointF(x, y), QPointF(x + 16.0, y));
-    } else {
-      painter.fillRect(QRectF(x, y - 5.0, 16.0, 10.0), items[i].colour);
-    }
-    paintText(painter, {x + 22.0, y}, Qt::AlignLeft | Qt::AlignVCenter, items[i].text, theme.text);
-  }
 }
 
 // Around the dial stand the markers, and beyond them the angles [px].
@@ -114,7 +85,7 @@ struct Dial {
   double outer;  // where o_v has its most
 
   explicit Dial(const QRectF& area) {
-    const QRectF room = area.adjusted(0.0, kTitle + 18.0, 0.0, -kLegendHeight);
+    const QRectF room = area.adjusted(0.0, kTitle + 18.0, 0.0, -kObjectiveKeyHeight);
     centre = room.center();
     outer = std::max(20.0, std::min(0.5 * room.width() - kMarkRoom - 12.0, 0.5 * room.height() - kMarkRoom));
     ring = 0.58 * outer;
@@ -157,25 +128,28 @@ void paintDial(QPainter& painter, const QRectF& area, const ObjectiveChartData& 
   const Dial dial(area);
   for (const double radius : {dial.inner, dial.ring, dial.outer})
     paintCircle(painter, dial, radius, QPen(theme.grid, 1.0));
-  const double halfWidth = 0.42 * 2.0 * kPi / static_cast<double>(data.positions.size());
+  const double halfWidth = 0.42 * 2.0 * kPi / static_cast<double>(slotsOf(data));
   painter.setPen(Qt::NoPen);
   for (const auto& p : data.positions) {
-    painter.setBrush(shaded(voidColour(), p.allowed));
+    painter.setBrush(objectiveShade(objectiveVoidColour(), p.allowed));
     painter.drawPolygon(
-        dial.wedge(dial.ring, dial.voidRadius(share(p.voidArea, mostVoid(data))), p.azimuth, halfWidth));
-    painter.setBrush(shaded(overlapColour(), p.overlapArea > data.leastOverlap));
-    painter.drawPolygon(
-        dial.wedge(dial.overlapRadius(share(p.overlapArea, mostOverlap(data))), dial.ring, p.azimuth, halfWidth));
+        dial.wedge(dial.ring, dial.voidRadius(share(p.voidArea, mostVoid(data))), p.azimuth + p.aside, halfWidth));
+    painter.setBrush(objectiveShade(objectiveOverlapColour(), p.overlapArea > data.leastOverlap));
+    painter.drawPolygon(dial.wedge(dial.overlapRadius(share(p.overlapArea, mostOverlap(data))), dial.ring,
+                                   p.azimuth + p.aside, halfWidth));
   }
   const QPen dashed(theme.threshold, 1.5, Qt::DashLine);
   paintCircle(painter, dial, dial.voidRadius(share(data.terminationThreshold, mostVoid(data))), dashed);
-  paintCircle(painter, dial, dial.overlapRadius(share(data.leastOverlap, mostOverlap(data))), dashed);
+  paintCircle(painter, dial, dial.overlapRadius(share(data.leastOverlap, mostOverlap(data))),
+              QPen(theme.threshold, 1.5, Qt::DotLine));
   for (int degree = 0; degree < 360; degree += 90)
     paintText(painter, dial.at(dial.outer + kLabelDistance, radians(degree)), Qt::AlignHCenter | Qt::AlignVCenter,
               QString::number(degree) + QChar(0x00B0), theme.mutedText);
   const auto mark = [&](std::optional<int> position, const QColor& colour) {
-    if (position && *position < static_cast<int>(data.positions.size()))
-      paintMarker(painter, dial, data.positions[static_cast<std::size_t>(*position)].azimuth, colour);
+    if (position && *position < static_cast<int>(data.positions.size())) {
+      const auto& p = data.positions[static_cast<std::size_t>(*position)];
+      paintMarker(painter, dial, p.azimuth + p.aside, colour);
+    }
   };
   mark(data.current, theme.current);
   mark(marks.examined, theme.examined);
@@ -190,7 +164,7 @@ struct Bars {
   double step;
 
   Bars(const QRectF& area, std::size_t count) {
-    const QRectF room = area.adjusted(kLeft, kTitle + 34.0, -kRight, -kLegendHeight - 20.0);
+    const QRectF room = area.adjusted(kLeft, kTitle + 34.0, -kRight, -kObjectiveKeyHeight - 20.0);
     const double height = 0.5 * (room.height() - kGap);
     upper = QRectF(room.left(), room.top(), room.width(), height);
     lower = QRectF(room.left(), room.bottom() - height, room.width(), height);
@@ -247,9 +221,9 @@ void paintBars(QPainter& painter, const QRectF& area, const ObjectiveChartData& 
     const auto bar = [&](const QRectF& box, double s, const QColor& colour) {
       painter.fillRect(QRectF(x, box.bottom() - s * box.height(), 0.8 * bars.step, s * box.height()), colour);
     };
-    bar(bars.upper, share(p.voidArea, mostVoid(data)), shaded(voidColour(), p.allowed));
+    bar(bars.upper, share(p.voidArea, mostVoid(data)), objectiveShade(objectiveVoidColour(), p.allowed));
     bar(bars.lower, share(p.overlapArea, mostOverlap(data)),
-        shaded(overlapColour(), p.overlapArea > data.leastOverlap));
+        objectiveShade(objectiveOverlapColour(), p.overlapArea > data.leastOverlap));
   }
   paintPositions(painter, bars, data, theme);
   const auto mark = [&](std::optional<int> position, const QColor& colour, const QString& label) {
@@ -264,6 +238,27 @@ void paintBars(QPainter& painter, const QRectF& area, const ObjectiveChartData& 
 
 }  // namespace
 
+void layTiltsAside(ObjectiveChartData& data) {
+  constexpr double kSame = radians(0.1);
+  std::vector<std::size_t> order(data.positions.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  const auto azimuth = [&](std::size_t i) {
+    const double a = data.positions[i].azimuth;
+    return a < -kSame ? a + 2.0 * kPi : a;
+  };
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return azimuth(a) < azimuth(b); });
+  const double slot = 2.0 * kPi / static_cast<double>(slotsOf(data));
+  for (std::size_t from = 0, to = 0; from < order.size(); from = to) {
+    while (to < order.size() && azimuth(order[to]) - azimuth(order[from]) < kSame) ++to;
+    std::sort(order.begin() + static_cast<std::ptrdiff_t>(from), order.begin() + static_cast<std::ptrdiff_t>(to),
+              [&](std::size_t a, std::size_t b) { return data.positions[a].tilt < data.positions[b].tilt; });
+    const auto count = static_cast<double>(to - from);
+    data.tilts = std::max(data.tilts, static_cast<int>(to - from));
+    for (std::size_t i = from; i < to; ++i)
+      data.positions[order[i]].aside = slot * (static_cast<double>(i - from) - 0.5 * (count - 1.0));
+  }
+}
+
 ObjectiveChartData objectiveChartData(const ViewSnapshot& snapshot) {
   ObjectiveChartData data;
   data.recorded = snapshot.state && snapshot.state->termination == Termination::Imported;
@@ -274,6 +269,8 @@ ObjectiveChartData objectiveChartData(const ViewSnapshot& snapshot) {
   for (const PositionScore& score : plan.scores) {
     ObjectiveChartData::Position position;
     position.azimuth = azimuthOf(*snapshot.profile(), workspace.poses[static_cast<std::size_t>(score.position)]);
+    const Vec3 place = scannerPlace(*snapshot.profile(), workspace.poses[static_cast<std::size_t>(score.position)]);
+    position.tilt = std::atan2(place.z(), std::hypot(place.x(), place.y()));
     position.voidArea = promise(score);
     position.overlapArea = score.overlapArea;
     position.allowed = score.constraint == Constraint::Chosen || score.constraint == Constraint::Outscored;
@@ -293,7 +290,7 @@ ObjectiveChartData objectiveChartData(const ViewSnapshot& snapshot) {
   data.chosen = snapshot.proposed();
   data.further = snapshot.further;
   data.operatorsChoice = snapshot.operatorsChoice;
-  data.turntable = workspace.steps == static_cast<int>(workspace.size());
+  layTiltsAside(data);
   return data;
 }
 
@@ -311,7 +308,7 @@ void paintObjective(QPainter& painter, const QRectF& area, const ObjectiveChartD
     paintDial(painter, area, data, marks, theme);
   else
     paintBars(painter, area, data, marks, theme);
-  paintFoot(painter, area, data, theme);
+  paintObjectiveKey(painter, area, data, theme);
 }
 
 std::optional<int> positionAt(const QPointF& point, const QRectF& area, const ObjectiveChartData& data,
@@ -332,8 +329,8 @@ std::optional<int> positionAt(const QPointF& point, const QRectF& area, const Ob
   std::optional<int> nearest;
   double least = 4.0;
   for (int i = 0; i < count; ++i) {
-    const double apart =
-        std::abs(std::remainder(data.positions[static_cast<std::size_t>(i)].azimuth - azimuth, 2.0 * kPi));
+    const auto& p = data.positions[static_cast<std::size_t>(i)];
+    const double apart = std::abs(std::remainder(p.azimuth + p.aside - azimuth, 2.0 * kPi));
     if (apart < least) {
       least = apart;
       nearest = i;

@@ -19,6 +19,8 @@ enum class ObjectiveStyle : std::uint8_t {
 struct ObjectiveChartData {
   struct Position {
     double azimuth = 0.0;      ///< [rad] of where the scanner stands, counter-clockwise from +x
+    double tilt = 0.0;         ///< [rad] of where the scanner stands over the table
+    double aside = 0.0;        ///< [rad] that the dial shows it beside its azimuth, see layTiltsAside
     double voidArea = 0.0;     ///< what it promises, traced where that is known [mm^2]
     double overlapArea = 0.0;  ///< o_s [mm^2]
     bool allowed = false;      ///< the objective is not 0
@@ -34,12 +36,16 @@ struct ObjectiveChartData {
   std::optional<int> further;         ///< what would be next if an acquisition that has ended went on
   bool operatorsChoice = false;       ///< the operator chose the next view
   bool recorded = false;              ///< of recorded scans, for which nothing is planned
-  bool turntable = false;             ///< positions share one circle, so that a dial shows them all
+  int tilts = 1;                      ///< how many positions there are at most at one azimuth
 
   [[nodiscard]] bool empty() const { return positions.empty(); }
 };
 
 [[nodiscard]] ObjectiveChartData objectiveChartData(const ViewSnapshot& snapshot);
+
+/// Lays positions of one azimuth, which a dial would draw on top of each other, side by side, the lowest first
+/// counter-clockwise, and counts them.
+void layTiltsAside(ObjectiveChartData& data);
 
 /// What is marked besides the choice.
 struct ObjectiveMarks {

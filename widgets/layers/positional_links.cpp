@@ -83,16 +83,17 @@ QStringList describeCell(const ViewSnapshot& snapshot, const CellField& field, c
   const SurfaceCell& cell = snapshot.scannerImages->grid().surfaceCell(at.row, at.column);
   const double azimuth = std::atan2(cell.centre.y(), cell.centre.x());
   QStringList lines;
-  lines << Text::tr("row %1, column %2: %3 at z %4 mm, %5 %6")
-               .arg(QString::number(at.row), QString::number(at.column),
-                    angle(azimuth < 0.0 ? azimuth + 2.0 * kPi : azimuth), QString::number(std::lround(cell.centre.z())),
+  lines << Text::tr("a window at %1 around, %2 mm up: %3 %4")
+               .arg(angle(azimuth < 0.0 ? azimuth + 2.0 * kPi : azimuth), QString::number(std::lround(cell.centre.z())),
                     shortNumber(field.at(at)), field.unit);
   const Directions directions = directionsOf(*snapshot.scannerImages, at);
   lines << (directions.cells == 0
                 ? Text::tr("no ranging ray leaves through it")
-                : Text::tr("rays in %1 directions, %2 to %3 aside, %4 to %5 up")
-                      .arg(QString::number(directions.cells), angle(directions.lowPhi), angle(directions.highPhi),
-                           angle(directions.lowPsi), angle(directions.highPsi)));
+                : Text::tr("the scanner looks through it from %1 to %2 aside")
+                          .arg(angle(directions.lowPhi), angle(directions.highPhi)) +
+                      (directions.highPsi - directions.lowPsi < radians(0.5)
+                           ? QString()
+                           : Text::tr(", %1 to %2 up").arg(angle(directions.lowPsi), angle(directions.highPsi))));
   return lines;
 }
 

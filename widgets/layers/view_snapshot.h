@@ -20,7 +20,8 @@ struct ViewSnapshot {
 
   [[nodiscard]] const ScannerProfile* profile() const { return state ? state->profile.get() : nullptr; }
   [[nodiscard]] const Model* model() const { return state ? state->model.get() : nullptr; }
-  std::optional<int> table;  ///< the position where the table stands
+  std::shared_ptr<const Mesh> expected;  ///< what stands before the simulated scanner; null where nobody knows
+  std::optional<int> table;              ///< the position where the table stands
   std::optional<int> next;  ///< the position of the next scan, once there is a plan: proposed, or the operator's choice
   /// The same once the acquisition has ended: the position that would come next if it went on.
   std::optional<int> further;

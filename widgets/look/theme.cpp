@@ -1,6 +1,25 @@
 #include "look/theme.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace vantage {
+namespace {
+
+double linear(double channel) {
+  return channel <= 0.04045 ? channel / 12.92 : std::pow((channel + 0.055) / 1.055, 2.4);
+}
+
+double luminance(const QColor& colour) {
+  return 0.2126 * linear(colour.redF()) + 0.7152 * linear(colour.greenF()) + 0.0722 * linear(colour.blueF());
+}
+
+}  // namespace
+
+double contrast(const QColor& a, const QColor& b) {
+  const auto [least, most] = std::minmax({luminance(a), luminance(b)});
+  return (most + 0.05) / (least + 0.05);
+}
 
 const Theme& lightTheme() {
   static const Theme theme{.dark = false,
@@ -16,7 +35,8 @@ const Theme& lightTheme() {
                            .current = QColor(0x00, 0x72, 0xB2),
                            .proposed = QColor(0xD5, 0x5E, 0x00),
                            .examined = QColor(0x8A, 0x2B, 0x8F),
-                           .threshold = QColor(0xB0, 0x1E, 0x2E)};
+                           .threshold = QColor(0xB0, 0x1E, 0x2E),
+                           .good = QColor(0x1B, 0x6E, 0x3C)};
   return theme;
 }
 
@@ -34,7 +54,8 @@ const Theme& darkTheme() {
                            .current = QColor(0x56, 0xB4, 0xE9),
                            .proposed = QColor(0xFF, 0x9E, 0x3D),
                            .examined = QColor(0xE0, 0x8E, 0xE6),
-                           .threshold = QColor(0xFF, 0x7B, 0x86)};
+                           .threshold = QColor(0xFF, 0x7B, 0x86),
+                           .good = QColor(0x6F, 0xD0, 0x94)};
   return theme;
 }
 

@@ -22,10 +22,14 @@ struct Theme {
   QColor proposed;   ///< the view that is proposed
   QColor examined;   ///< the position or patch that is asked about
   QColor threshold;  ///< t and F
+  QColor good;       ///< of what is as it should be
 };
 
 [[nodiscard]] const Theme& lightTheme();
 [[nodiscard]] const Theme& darkTheme();
+
+/// How well one colour is told from another, 1 to 21 (WCAG 2: text needs 4.5, marks 3).
+[[nodiscard]] double contrast(const QColor& a, const QColor& b);
 
 [[nodiscard]] inline Rgb toRgb(const QColor& colour) {
   return {static_cast<std::uint8_t>(colour.red()), static_cast<std::uint8_t>(colour.green()),

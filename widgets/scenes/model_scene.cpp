@@ -1,5 +1,7 @@
 #include "scenes/model_scene.h"
 
+#include <vtkPolyData.h>
+
 #include <QCoreApplication>
 #include <algorithm>
 #include <cmath>
@@ -7,6 +9,7 @@
 
 #include "acquisition/stand_composites.h"
 #include "scanner/table_turn.h"
+#include "scenes/camera_marks.h"
 
 namespace vantage {
 namespace {
@@ -18,13 +21,13 @@ struct Text {
 const char* edgeClassText(EdgeClass edgeClass) {
   switch (edgeClass) {
     case EdgeClass::OuterJump:
-      return QT_TRANSLATE_NOOP("ModelView", "outer jump");
+      return QT_TRANSLATE_NOOP("ModelView", "edge against the background");
     case EdgeClass::InnerJump:
-      return QT_TRANSLATE_NOOP("ModelView", "inner jump");
+      return QT_TRANSLATE_NOOP("ModelView", "hidden behind the object");
     case EdgeClass::LineOfSightJump:
-      return QT_TRANSLATE_NOOP("ModelView", "line of sight jump");
+      return QT_TRANSLATE_NOOP("ModelView", "light or camera blocked");
     case EdgeClass::Regular:
-      return QT_TRANSLATE_NOOP("ModelView", "regular");
+      return QT_TRANSLATE_NOOP("ModelView", "open border");
     case EdgeClass::Rim:
       break;
   }
@@ -54,7 +57,7 @@ const char* stateText(PatchState state) {
 }
 
 KeyLegend edgeClassLegend(const VoidSurface& voids) {
-  KeyLegend legend{Text::tr("Void by edge class"), {}};
+  KeyLegend legend{Text::tr("Unseen edges by kind"), {}};
   for (std::size_t k = 0; k < kEdgeClasses; ++k) {
     const auto edgeClass = static_cast<EdgeClass>(k);
     if (voids.counts[k] == 0) continue;
@@ -68,7 +71,7 @@ KeyLegend stateLegend(const Plan& plan) {
   std::array<std::size_t, kPatchStates> counts{};
   for (const PatchOutlook& outlook : plan.outlook)
     ++counts[static_cast<std::size_t>(patchState(outlook, plan.outcome))];
-  KeyLegend legend{Text::tr("Void by state"), {}};
+  KeyLegend legend{Text::tr("Unseen edges by state"), {}};
   for (std::size_t k = 0; k < kPatchStates; ++k) {
     const auto state = static_cast<PatchState>(k);
     if (counts[k] == 0) continue;
@@ -110,12 +113,12 @@ std::optional<KeyLegend> coloursLegend(const VertexColours& colours) {
 }
 
 QString voidPatchesText(std::size_t count) {
-  return count == 1 ? Text::tr("1 void patch")
-                    : Text::tr("%1 void patches").arg(shortNumber(static_cast<double>(count)));
+  return count == 1 ? Text::tr("1 unseen edge")
+                    : Text::tr("%1 unseen edges").arg(shortNumber(static_cast<double>(count)));
 }
 
-QString titleOf(std::size_t views, int composite) {
-  if (composite != kObjectComposite)
+QString titleOf(std::size_t views, int composite, bool isObject) {
+  if (!isObject)
     return views == 1 ? Text::tr("Stand %1 alone after 1 view").arg(composite)
                       : Text::tr("Stand %1 alone after %2 views").arg(composite).arg(views);
   return views == 1 ? Text::tr("Model after 1 view") : Text::tr("Model after %1 views").arg(views);
@@ -131,7 +134,9 @@ double areaOf(const VoidSurface& voids) {
 
 ModelScene::ModelScene()
     : turntable_(scene_),
+      setUp_(scene_),
       model_(scene_),
+      viewMark_(scene_),
       voids_(scene_),
       currentRays_(scene_),
       proposedRays_(scene_),
@@ -143,6 +148,10 @@ void ModelScene::set(SharedSnapshot snapshot, std::shared_ptr<const ModelGeometr
   snapshot_ = std::move(snapshot);
   geometry_ = std::move(geometry);
   turntable_.set(snapshot_ ? snapshot_->profile() : nullptr);
+  markedView_.reset();
+  viewMark_.set(geometry_, {});
+  const bool before = isBefore();
+  setUp_.set(before ? snapshot_->profile() : nullptr, before ? snapshot_->expected : nullptr);
   update();
 }
 
@@ -155,6 +164,8 @@ void ModelScene::setTheme(const Theme& theme) {
   theme_ = &theme;
   scene_.setTheme(theme);
   turntable_.setTheme(theme);
+  setUp_.setTheme(theme);
+  viewMark_.setTheme(theme);
   model_.setTheme(theme);
   voids_.setTheme(theme);
   currentRays_.setColour(theme.current);
@@ -164,6 +175,11 @@ void ModelScene::setTheme(const Theme& theme) {
 void ModelScene::examine(std::optional<int> position) {
   examined_ = position;
   updateRays();
+}
+
+void ModelScene::markView(std::optional<std::uint32_t> view) {
+  markedView_ = view;
+  viewMark_.set(geometry_, view);
 }
 
 void ModelScene::highlight(const std::vector<std::uint32_t>& patches) {
@@ -199,27 +215,38 @@ void ModelScene::updateRays() {
   const std::optional<int> asked = examined_ ? examined_ : snapshot_->proposed();
   turntable_.mark(azimuth(snapshot_->current()), azimuth(snapshot_->proposed()));
   if (options_.currentRays && !snapshot_->views.empty()) currentRays_.showView(*profile, snapshot_->views.back());
-  if (asked && (options_.proposedRays || examined_))
+  if (asked && (options_.proposedRays || examined_ || isBefore()))
     proposedRays_.showPosition(*profile, *asked, geometry_ ? geometry_->caster.get() : nullptr);
 }
 
-BoundingBox ModelScene::box() const {
+bool ModelScene::isBefore() const {
+  return snapshot_ && snapshot_->profile() != nullptr && !geometry_ && snapshot_->state &&
+         snapshot_->state->scans.empty();
+}
+
+// A box whose corners lie on the disc: its sides reach into the corners of a picture of it.
+BoundingBox ModelScene::everything() const {
   const ScannerProfile* profile = snapshot_ ? snapshot_->profile() : nullptr;
-  const bool table = options_.turntable && profile != nullptr;
-  BoundingBox box = geometry_ ? geometry_->box : BoundingBox{};
-  if (table || !geometry_) {
-    // A box whose corners lie on the disc: its sides reach into the corners of a picture of it.
-    const double radius = profile != nullptr ? 0.95 * profile->viewingVolume.radius : 100.0;
-    if (!geometry_) box = {Vec3(0.0, 0.0, 0.0), Vec3(0.0, 0.0, 0.3 * radius)};
-    box.extend({-radius, -radius, 0.0});
-    box.extend({radius, radius, 0.0});
-  }
+  const double radius = profile != nullptr ? 0.95 * profile->viewingVolume.radius : 100.0;
+  BoundingBox box = geometry_ ? geometry_->box : BoundingBox{Vec3(0.0, 0.0, 0.0), Vec3(0.0, 0.0, 0.3 * radius)};
+  box.extend({-radius, -radius, 0.0});
+  box.extend({radius, radius, 0.0});
+  if (!isBefore()) return box;
+  box.extend({0.0, 0.0, profile->viewingVolume.height});
+  if (snapshot_->expected)
+    for (const Vec3& v : snapshot_->expected->vertices) box.extend(v);
+  if (const auto eye = scannersEye(snapshot_.get(), snapshot_->proposed())) box.extend(*eye);
   return box;
+}
+
+BoundingBox ModelScene::box() const {
+  return geometry_ ? geometry_->box : everything();
 }
 
 Camera ModelScene::camera(CameraPreset preset, double aspect) const {
   const std::optional<int> position = examined_ ? examined_ : (snapshot_ ? snapshot_->foremost() : std::nullopt);
-  return presetCamera(preset, box(), scene_.camera(), scannersEye(snapshot_.get(), position), aspect);
+  return presetCamera(preset, preset == CameraPreset::Everything ? everything() : box(), scene_.camera(),
+                      scannersEye(snapshot_.get(), position), aspect);
 }
 
 Overlay ModelScene::overlay() const {
@@ -228,14 +255,22 @@ Overlay ModelScene::overlay() const {
   const auto& state = *snapshot_->state;
   const std::vector<View>& views = snapshot_->views;
   const int composite = compositeInWork(state);
+  const bool isObject = composite == objectComposite(state);
+  if (isBefore()) {
+    overlay.notes << Text::tr("Before the first scan");
+    if (snapshot_->proposed()) overlay.notes << Text::tr("The scanner at position %1").arg(*snapshot_->proposed());
+    overlay.notes << (snapshot_->expected ? Text::tr("The simulated object and the viewing volume")
+                                          : Text::tr("The viewing volume"));
+    return overlay;
+  }
   if (views.empty()) {
-    overlay.notes << (composite == kObjectComposite ? Text::tr("No view taken yet")
-                                                    : Text::tr("No view of stand %1 taken yet").arg(composite));
+    overlay.notes << (isObject ? Text::tr("No view taken yet")
+                               : Text::tr("No view of stand %1 taken yet").arg(composite));
     if (!state.aside.empty()) overlay.notes << Text::tr("The object is set aside meanwhile");
     return overlay;
   }
-  overlay.notes << titleOf(views.size(), composite);
-  if (composite != kObjectComposite) overlay.notes << Text::tr("Not put together with the object yet");
+  overlay.notes << titleOf(views.size(), composite, isObject);
+  if (!isObject) overlay.notes << Text::tr("Not put together with the object yet");
   if (state.model)
     overlay.notes << Text::tr("%1 triangles").arg(shortNumber(static_cast<double>(state.model->mesh.triangles.size())));
   if (snapshot_->plan && snapshot_->plan->voids)
@@ -249,7 +284,7 @@ Overlay ModelScene::overlay() const {
                                      : edgeClassLegend(*snapshot_->plan->voids));
   if (options_.surface && colouring() == ModelColouring::Confidence)
     overlay.legends.emplace_back(
-        ScaleLegend{Text::tr("Confidence"), Text::tr("cos of the angle"), 0.0, 1.0, ColourMap::Cividis});
+        ScaleLegend{Text::tr("Confidence"), Text::tr("(1: seen head-on)"), 0.0, 1.0, ColourMap::Cividis});
   if (options_.surface && colouring() == ModelColouring::View) overlay.legends.emplace_back(viewLegend(views));
   if (options_.surface && colouring() == ModelColouring::Stand) overlay.legends.emplace_back(standLegend(views));
   if (options_.surface && colouring() == ModelColouring::Colours && geometry_)
@@ -268,6 +303,17 @@ Overlay ModelScene::overlay() const {
                                                                           : Text::tr("proposed view, position %1"))
                                                   .arg(*snapshot_->proposed())});
   if (!rays.entries.empty()) overlay.legends.emplace_back(rays);
+  KeyLegend marks{Text::tr("Marks"), {}};
+  if (options_.boundary && geometry_ && geometry_->boundary)
+    marks.entries.push_back({theme_->boundary, Text::tr("border of the model")});
+  if (markedView_ && *markedView_ < views.size())
+    marks.entries.push_back({theme_->examined, Text::tr("what the chosen scan brought")});
+  if (options_.turntable && snapshot_->current())
+    marks.entries.push_back(
+        {theme_->current, Text::tr("where the scanner stands, position %1").arg(*snapshot_->current())});
+  if (options_.turntable && snapshot_->proposed())
+    marks.entries.push_back({theme_->proposed, Text::tr("where it is next, position %1").arg(*snapshot_->proposed())});
+  if (!marks.entries.empty()) overlay.legends.emplace_back(marks);
   return overlay;
 }
 
@@ -288,18 +334,18 @@ QImage makePicture(Scene& scene, const Overlay& overlay, const Theme& theme, Off
                    double pixelRatio) {
   QImage image = window.render(scene, scene.camera(), size, pixelRatio);
   QPainter painter(&image);
-  paintOverlay(painter, QRectF(QPointF(), QSizeF(size) / pixelRatio), overlay, theme);
+  const QRectF area(QPointF(), QSizeF(size) / pixelRatio);
+  paintCameraMarks(painter, area, scene.camera(), theme);
+  paintOverlay(painter, area, overlay, theme);
   return image;
 }
 
 Camera presetCamera(CameraPreset preset, const BoundingBox& box, const Camera& now, const std::optional<Vec3>& eye,
                     double aspect) {
   switch (preset) {
-    case CameraPreset::Fit: {
-      Camera camera = cameraToward(now.forward(), box, aspect);
-      camera.up = now.up;
-      return camera;
-    }
+    case CameraPreset::Fit:
+    case CameraPreset::Everything:
+      return cameraToward(now.forward(), box, aspect);
     case CameraPreset::Front:
       return cameraToward(-Vec3::UnitX(), box, aspect);
     case CameraPreset::Top:

@@ -7,7 +7,9 @@
 
 #include "layers/model_layer.h"
 #include "layers/ranging_rays_layer.h"
+#include "layers/set_up_layer.h"
 #include "layers/turntable_layer.h"
+#include "layers/view_mark_layer.h"
 #include "layers/view_snapshot.h"
 #include "layers/void_patch_layer.h"
 #include "look/legend.h"
@@ -34,12 +36,16 @@ class ModelScene {
   }
   void examine(std::optional<int> position);
   void highlight(const std::vector<std::uint32_t>& patches);
+  /// Lights up what a view of the model brought; nothing lights up nothing. The next snapshot lights up nothing.
+  void markView(std::optional<std::uint32_t> view);
 
   [[nodiscard]] const SharedSnapshot& snapshot() const { return snapshot_; }
   [[nodiscard]] const ModelGeometry* geometry() const { return geometry_.get(); }
 
-  /// What there is to look at: the model, with the turntable when that is shown.
+  /// What there is to look at: the model; before there is one, everything.
   [[nodiscard]] BoundingBox box() const;
+  /// The model and the table; before the first scan also the viewing volume, what stands in it and the scanner.
+  [[nodiscard]] BoundingBox everything() const;
   [[nodiscard]] Camera camera(CameraPreset preset, double aspect) const;
   [[nodiscard]] Overlay overlay() const;
 
@@ -55,10 +61,14 @@ class ModelScene {
   void update();
   [[nodiscard]] ModelColouring colouring() const;
   void updateRays();
+  /// Before the first scan of a session with a scanner.
+  [[nodiscard]] bool isBefore() const;
 
   Scene scene_;
   TurntableLayer turntable_;
+  SetUpLayer setUp_;
   ModelLayer model_;
+  ViewMarkLayer viewMark_;
   VoidPatchLayer voids_;
   RangingRaysLayer currentRays_;
   RangingRaysLayer proposedRays_;
@@ -67,6 +77,7 @@ class ModelScene {
   std::shared_ptr<const ModelGeometry> geometry_;
   ModelViewOptions options_;
   std::optional<int> examined_;
+  std::optional<std::uint32_t> markedView_;
   const Theme* theme_;
 };
 

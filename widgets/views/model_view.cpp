@@ -32,8 +32,9 @@ void ModelView::setSnapshot(const SharedSnapshot& snapshot) {
 
 void ModelView::show(const SharedSnapshot& snapshot, const std::shared_ptr<const ModelGeometry>& geometry) {
   scene_->set(snapshot, geometry);
-  if (!fitted_ && snapshot) lookFrom(CameraPreset::Oblique);
-  fitted_ = fitted_ || snapshot != nullptr;
+  // What there is to look at changes with the set-up until there is a model, and once more with the first one.
+  if (snapshot && !fittedToModel_) lookFrom(CameraPreset::Oblique);
+  fittedToModel_ = geometry != nullptr;
   refresh();
   emit loadingChanged(false);
 }
@@ -55,6 +56,11 @@ const ModelViewOptions& ModelView::options() const {
 
 void ModelView::examine(std::optional<int> position) {
   scene_->examine(position);
+  refresh();
+}
+
+void ModelView::markView(std::optional<std::uint32_t> view) {
+  scene_->markView(view);
   refresh();
 }
 

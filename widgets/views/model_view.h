@@ -33,6 +33,8 @@ class ModelView final : public SceneView {
   /// A position whose rays are shown in place of those of the proposed view.
   void examine(std::optional<int> position);
   /// Patches that are lit up.
+  /// Lights up what a view of the model brought, until another moment is shown; nothing lights up nothing.
+  void markView(std::optional<std::uint32_t> view);
   void highlight(const std::vector<std::uint32_t>& patches);
   void setTheme(const Theme& theme) override;
 
@@ -59,7 +61,7 @@ class ModelView final : public SceneView {
 
   std::unique_ptr<ModelScene> scene_;
   std::unique_ptr<GeometryLoader> loader_;
-  bool fitted_ = false;
+  bool fittedToModel_ = false;
 };
 
 }  // namespace vantage

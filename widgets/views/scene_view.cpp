@@ -9,6 +9,8 @@
 #include <cmath>
 #include <utility>
 
+#include "scenes/camera_marks.h"
+
 namespace vantage {
 namespace {
 
@@ -37,26 +39,34 @@ class SceneView::OverlayWidget final : public QWidget {
     theme_ = &theme;
     update();
   }
-  void writeOn(QImage& picture) const {
+  void setCamera(const Camera& camera) {
+    camera_ = camera;
+    update();
+  }
+  void writeOn(QImage& picture, const Camera& camera) const {
     if (picture.isNull()) return;
     // Paint blends alike on pictures of any surface.
     picture.convertTo(QImage::Format_RGB32);
     QPainter painter(&picture);
-    paintOverlay(painter, QRectF(QPointF(), picture.deviceIndependentSize()), overlay_, *theme_);
+    const QRectF area(QPointF(), picture.deviceIndependentSize());
+    paintCameraMarks(painter, area, camera, *theme_);
+    paintOverlay(painter, area, overlay_, *theme_);
   }
 
  protected:
   void paintEvent(QPaintEvent*) override {
     QPainter painter(this);
+    paintCameraMarks(painter, rect(), camera_, *theme_);
     paintOverlay(painter, rect(), overlay_, *theme_);
     if (!parentWidget()->hasFocus()) return;
-    painter.setPen(QPen(theme_->current, 1.0));
+    painter.setPen(QPen(theme_->current, 2.0));
     painter.setBrush(Qt::NoBrush);
-    painter.drawRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5));
+    painter.drawRect(QRectF(rect()).adjusted(1.0, 1.0, -1.0, -1.0));
   }
 
  private:
   Overlay overlay_;
+  Camera camera_;
   const Theme* theme_;
 };
 
@@ -91,6 +101,7 @@ const Camera& SceneView::camera() const {
 
 void SceneView::setCamera(const Camera& camera) {
   scene_->setCamera(camera);
+  overlay_->setCamera(camera);
   redraw();
   emit cameraChanged();
 }
@@ -105,13 +116,14 @@ void SceneView::lookFrom(CameraPreset preset) {
 
 void SceneView::takePictures(const std::vector<CameraPreset>& presets, const Taken& taken) {
   const auto pictures = std::make_shared<std::vector<QImage>>();
-  for (const CameraPreset preset : presets)
-    surface_->takePicture(cameraFor(preset, aspect()),
-                          [this, pictures, taken, wanted = presets.size()](QImage picture) {
-                            overlay_->writeOn(picture);
-                            pictures->push_back(std::move(picture));
-                            if (pictures->size() == wanted) taken(*pictures);
-                          });
+  for (const CameraPreset preset : presets) {
+    const Camera camera = cameraFor(preset, aspect());
+    surface_->takePicture(camera, [this, camera, pictures, taken, wanted = presets.size()](QImage picture) {
+      overlay_->writeOn(picture, camera);
+      pictures->push_back(std::move(picture));
+      if (pictures->size() == wanted) taken(*pictures);
+    });
+  }
 }
 
 void SceneView::setOverlay(Overlay overlay) {
@@ -219,7 +231,9 @@ void SceneView::keyPressEvent(QKeyEvent* event) {
     case Qt::Key_4:
       return lookFrom(CameraPreset::Oblique);
     case Qt::Key_F:
-      return lookFrom(CameraPreset::Fit);
+      return lookFrom(event->modifiers() == Qt::ShiftModifier ? CameraPreset::Everything : CameraPreset::Fit);
+    case Qt::Key_Home:
+      return lookFrom(CameraPreset::Oblique);
     case Qt::Key_Left:
       return turnBy(-1.0, 0.0);
     case Qt::Key_Right:

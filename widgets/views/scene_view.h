@@ -13,7 +13,8 @@
 namespace vantage {
 
 /// A widget that shows a scene and lets the mouse and keyboard move about in it: 1 front, 2 top, 3 scanner's eye, F
-/// fit, arrows turn, plus and minus zoom. A click that moves nothing is a pick.
+/// fit, with shift everything, Home the first sight, arrows turn, plus and minus zoom. A click that moves nothing is a
+/// pick.
 class SceneView : public QWidget {
   Q_OBJECT
 
@@ -77,7 +78,7 @@ class SceneView : public QWidget {
   std::unique_ptr<RenderSurface> surface_;
   OverlayWidget* overlay_;
   const Theme* theme_;
-  NavigationScheme navigation_ = NavigationScheme::MeshLab;
+  NavigationScheme navigation_ = NavigationScheme::Upright;
   Motion motion_ = Motion::None;
   QPointF pressed_;
   QPointF last_;

@@ -12,11 +12,12 @@
 namespace vantage {
 
 enum class CameraPreset : std::uint8_t {
-  Fit,          ///< everything in sight, direction kept
+  Fit,          ///< what is looked at in sight, direction kept, upright
   Front,        ///< along -x: from where the scanner of position 0 stands
   Top,          ///< from above, x to the right
   ScannersEye,  ///< from where the scanner stands
   Oblique,      ///< from above the front right; the first sight of a scene
+  Everything,   ///< as Fit, with all that stands around
 };
 
 /// Where a scene is looked at from. z is up where that is possible.

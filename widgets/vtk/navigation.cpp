@@ -18,6 +18,10 @@ constexpr std::array kMeshLab{
     Binding{Qt::LeftButton, Qt::NoModifier, Motion::Trackball},
     Binding{Qt::LeftButton, Qt::ControlModifier, Motion::Pan}, Binding{Qt::LeftButton, Qt::ShiftModifier, Motion::Zoom},
     Binding{Qt::MiddleButton, Qt::NoModifier, Motion::Pan}, Binding{Qt::RightButton, Qt::NoModifier, Motion::Roll}};
+constexpr std::array kUpright{
+    Binding{Qt::LeftButton, Qt::NoModifier, Motion::Turntable},
+    Binding{Qt::LeftButton, Qt::ControlModifier, Motion::Pan}, Binding{Qt::LeftButton, Qt::ShiftModifier, Motion::Zoom},
+    Binding{Qt::MiddleButton, Qt::NoModifier, Motion::Pan}, Binding{Qt::RightButton, Qt::NoModifier, Motion::Pan}};
 constexpr std::array kCloudCompare{Binding{Qt::LeftButton, Qt::NoModifier, Motion::Trackball},
                                    Binding{Qt::RightButton, Qt::NoModifier, Motion::Pan},
                                    Binding{Qt::MiddleButton, Qt::NoModifier, Motion::Zoom}};
@@ -42,6 +46,8 @@ constexpr double kPole = radians(1.0);
 
 std::span<const Binding> bindings(NavigationScheme scheme) {
   switch (scheme) {
+    case NavigationScheme::Upright:
+      return kUpright;
     case NavigationScheme::CloudCompare:
       return kCloudCompare;
     case NavigationScheme::Blender:

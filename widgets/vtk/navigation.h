@@ -9,9 +9,9 @@
 
 namespace vantage {
 
-/// Whose mouse buttons move the camera.
-enum class NavigationScheme : std::uint8_t { MeshLab, CloudCompare, Blender, ParaView };
-inline constexpr int kNavigationSchemes = 4;
+/// Whose mouse buttons move the camera; Upright: the left one turns it about z, which stays up.
+enum class NavigationScheme : std::uint8_t { MeshLab, CloudCompare, Blender, ParaView, Upright };
+inline constexpr int kNavigationSchemes = 5;
 
 enum class Motion : std::uint8_t { None, Trackball, Turntable, Pan, Zoom, Roll };
 

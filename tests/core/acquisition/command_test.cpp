@@ -22,6 +22,7 @@ TEST(Command, KindsAreCalledWhatFilesCallThem) {
   EXPECT_EQ(kindOf(PlaceStand{}), "place_stand");
   EXPECT_EQ(kindOf(AlignStand{}), "align");
   EXPECT_EQ(kindOf(ChooseStandPose{}), "choose_stand_pose");
+  EXPECT_EQ(kindOf(TakeReference{}), "take_reference");
   EXPECT_EQ(kindOf(ChangeMode{}), "change_mode");
 }
 

@@ -85,7 +85,7 @@ TEST_F(CompositeStands, AreAcquiredAsAFirstStandIs) {
   EXPECT_EQ(state.stands[1].down, kDown);
   EXPECT_TRUE(state.plan);
   const AcquisitionState object = withObject(state);
-  EXPECT_EQ(compositeInWork(object), kObjectComposite);
+  EXPECT_EQ(compositeInWork(object), objectComposite(object));
   EXPECT_EQ(object.model, state.aside[0].model);
   EXPECT_FALSE(object.plan);
   const AcquisitionState back = withComposite(object, 1);
@@ -177,6 +177,60 @@ TEST_F(CompositeStands, OneThatWaitsIsTriedAgainOnceThereIsMoreOfTheObject) {
   EXPECT_TRUE(alignStands(last, true));
   EXPECT_EQ(countScans(*journal.state(), ScanStatus::In), 6U);
   EXPECT_TRUE(journal.state()->aside.empty());
+}
+
+// The first stand shows too little to fit others to: it waits itself, until the others make enough of the object.
+TEST_F(CompositeStands, TheObjectIsKnownByTheStandThatShowsMost) {
+  MemoryJournal journal(profile_, fewViews());
+  Acquisition upright(journal, tools(0));
+  upright.scanNext();
+  upright.carryOut(TurnObject{{}, kDown});
+  Acquisition failing(journal, tools(1, knowing(AlignmentVerdict::Failed, false)));
+  for (int i = 0; i < 5; ++i) failing.scanNext();
+  EXPECT_EQ(failing.mayDo(TakeReference{0})->reason, RefusalReason::StandKnown);
+  EXPECT_FALSE(alignStands(failing, false));
+  EXPECT_EQ(referenceOf(journal.state()->stands), 0);
+  EXPECT_TRUE(alignStands(failing, true));
+  AcquisitionState state = *journal.state();
+  EXPECT_EQ(referenceOf(state.stands), 1);
+  EXPECT_EQ(objectComposite(state), 1);
+  EXPECT_FALSE(isOfObject(state, 0));
+  EXPECT_EQ(standsToAlign(state), std::vector<int>{0});
+  EXPECT_EQ(countScans(state, ScanStatus::In), 5U);
+  EXPECT_TRUE(state.plan);
+  EXPECT_FALSE(sideMeant(state, 1));  // it was told in the coordinates of a stand that is not known
+
+  // Sides are told in the coordinates of the object as it is known now.
+  failing.carryOut(TurnObject{{}, Vec3::UnitY()});
+  EXPECT_EQ(journal.state()->stands[2].reference, 1);
+  EXPECT_EQ(sideMeant(*journal.state(), 2), Vec3(Vec3::UnitY()));
+  failing.undo();
+
+  // Once it is aligned, the object is known by the first one again.
+  const auto first =
+      std::make_shared<const KnowingAligner>(AlignmentVerdict::Good, std::vector{poseAt(standOf(1), true)});
+  Acquisition last(journal, tools(1, first));
+  last.carryOut(AlignStand{0});
+  state = *journal.state();
+  EXPECT_EQ(referenceOf(state.stands), 0);
+  EXPECT_EQ(state.stands[0].T_object_table->matrix(), Pose::Identity().matrix());
+  EXPECT_TRUE(state.stands[1].T_object_table->isApprox(standOf(1).inverse(), 0.02));
+  EXPECT_EQ(countScans(state, ScanStatus::In), 6U);
+  EXPECT_TRUE(state.aside.empty());
+  EXPECT_LT(worstError(state), 1.0);
+  EXPECT_EQ(sideMeant(state, 1), kDown);
+}
+
+TEST_F(CompositeStands, StandsThatAreTogetherKeepTheirReference) {
+  MemoryJournal journal(profile_, fewViews());
+  acquire(journal, 2);
+  Acquisition acquisition(journal, tools(1, knowing(AlignmentVerdict::Good)));
+  acquisition.carryOut(AlignStand{1});
+  acquisition.carryOut(TurnObject{{}, kDown});
+  EXPECT_EQ(acquisition.mayDo(TakeReference{2})->reason, RefusalReason::NothingToAlign);
+  Acquisition last(journal, tools(2));
+  last.scanNext();
+  EXPECT_EQ(last.mayDo(TakeReference{2})->reason, RefusalReason::StandsTogether);
 }
 
 TEST_F(CompositeStands, AScanThatWasLeftOutStaysWithItsStand) {

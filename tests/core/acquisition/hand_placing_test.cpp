@@ -21,10 +21,7 @@ struct HandTurns {
   std::vector<std::pair<int, double>> turns;
 };
 
-AcquisitionState scannedByHand(const HandTurns& scene) {
-  AcquisitionState state;
-  state.profile = testing::smallProfile();
-  state.settings.registration.limits.fewPairs = 100;  // the scans are small
+AcquisitionState withScans(AcquisitionState state, const HandTurns& scene) {
   for (const auto& [position, off] : scene.turns) {
     ScannerProfile there = *state.profile;
     const Pose nominal = state.profile->workspace.poses[static_cast<std::size_t>(position)];
@@ -40,6 +37,13 @@ AcquisitionState scannedByHand(const HandTurns& scene) {
                     std::nullopt, stepOptionsFor(state), {});
   }
   return state;
+}
+
+AcquisitionState scannedByHand(const HandTurns& scene) {
+  AcquisitionState state;
+  state.profile = testing::smallProfile();
+  state.settings.registration.limits.fewPairs = 100;  // the scans are small
+  return withScans(std::move(state), scene);
 }
 
 // How far a scan was found from where it was taken [deg].
@@ -95,6 +99,31 @@ TEST(HandPlacing, LooseViewsStayWhereTheyWereRegistered) {
     if (!isLoose(scan)) continue;
     const Pose moved = scan.view.T_object_scanner * scan.record.registration.T_object_scanner.inverse();
     EXPECT_LT(degrees(Eigen::AngleAxisd(Eigen::Matrix3d(moved.linear())).angle()), 0.5) << scan.number;
+  }
+}
+
+// A view of which nobody knows where it is stands where it is not. One that others hold is not refused because of it,
+// however doubtful it is, and the loose one finds its place with what holds by then, or leaves the model.
+TEST(HandPlacing, WhatOthersHoldIsNotRefusedBecauseOfALooseView) {
+  AcquisitionState state = scannedByHand({testing::smallObject(), {{0, 0.0}, {2, -8.0}}});
+  KeptScan& loose = state.scans[1];
+  ASSERT_EQ(loose.status, ScanStatus::In);
+  const StepOptions options = stepOptionsFor(state);
+  loose.view.T_object_scanner = turnedBy(radians(25.0), loose.view.T_object_scanner, Pose::Identity());
+  loose.record.registration.T_object_scanner = loose.view.T_object_scanner;
+  loose.record.registration.verdict = Verdict::Doubtful;
+  loose.record.registration.finding = {VerdictReason::HeldByMechanics, std::nullopt, {}};
+  loose.record.registration.poseSigma = 9.0;
+  ASSERT_TRUE(isLoose(loose));
+  state.model = integrateViews(viewsOf(state), options, {});
+  state.settings.registration.limits.fewPairs = 1'000'000;  // all are doubtful from here on
+  state = withScans(std::move(state), {testing::smallObject(), {{1, 6.0}}});
+  ASSERT_EQ(state.scans[2].status, ScanStatus::In) << name(state.scans[2].record.registration.finding.reason);
+  EXPECT_EQ(state.scans[2].record.registration.verdict, Verdict::Doubtful);
+  EXPECT_LT(errorOf(state, 2, 6.0), 0.5);
+  if (state.scans[1].status == ScanStatus::In) {
+    EXPECT_LT(errorOf(state, 1, -8.0), 0.5);
+    EXPECT_FALSE(isLoose(state.scans[1]));
   }
 }
 

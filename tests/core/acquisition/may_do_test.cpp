@@ -49,6 +49,7 @@ TEST(MayDo, AppliesWhatItAllowsAndRefusesWhatItForbids) {
                                       PlaceStand{0, Pose::Identity()},
                                       AlignStand{0},
                                       ChooseStandPose{0, 0},
+                                      TakeReference{0},
                                       ChangeMode{Mode::Assisted}};
   int allowed = 0;
   for (const Command& command : commands) {

@@ -121,7 +121,7 @@ TEST(Stands, AStandThatNobodyKnowsIsACompositeOfItsOwnUntilItIsPlaced) {
   upright.carryOut(TurnObject{});
   const auto object = journal.state()->aside;
   ASSERT_EQ(object.size(), 1U);
-  EXPECT_EQ(object[0].composite, kObjectComposite);
+  EXPECT_EQ(object[0].composite, 0);
   EXPECT_FALSE(journal.state()->model);
   EXPECT_FALSE(journal.state()->plan);
   Acquisition lying(journal, toolsOf(profile, turnedOver()));

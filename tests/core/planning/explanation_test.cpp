@@ -59,6 +59,14 @@ TEST(Explanation, EveryFigureFollowsFromTheRecord) {
   }
 }
 
+TEST(Explanation, SaysWhatAForecastRestsOn) {
+  Plan plan = makePlan();
+  EXPECT_FALSE(explain(plan, 1).forecast.has_value());
+  plan.forecast = PlanForecast{{0.8, 0.3}, {}, true};
+  EXPECT_EQ(explain(plan, 1).forecast.value().trust.factor, 0.8);
+  EXPECT_TRUE(explain(plan, 1).forecast.value().probing);
+}
+
 TEST(Explanation, AddsUpThePatchesThatAPositionWins) {
   const Explanation why = explain(makePlan(), 1);
   EXPECT_EQ(why.patches, 2U);

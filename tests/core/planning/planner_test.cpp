@@ -8,6 +8,8 @@
 
 #include "base/errors.h"
 #include "core/planning/scenes.h"
+#include "forecast/forecast_ledger.h"
+#include "geometry/measures.h"
 #include "planning/choice.h"
 #include "planning/planner_options.h"
 #include "planning/position_sight.h"
@@ -40,6 +42,91 @@ PlanInput moved(PlanInput input, const Pose& motion) {
 
 void expectSame(double a, double b, const PositionScore& score) {
   EXPECT_NEAR(a, b, 1e-6 * std::max(1.0, std::abs(b))) << "position " << score.position;
+}
+
+PlannerOptions forecasting() {
+  PlannerOptions options;
+  options.forecast = true;
+  return options;
+}
+
+// What the planner says of a view that is then taken, against what the view shows. Of two views of three spheres that
+// is little to go by: patches alone promise less than a tenth of it.
+TEST(Planner, ForecastsTheSurfaceThatAViewShows) {
+  const Plan plan = planOf(object().input(), forecasting());
+  ASSERT_EQ(plan.outcome, PlanOutcome::Found);
+  ASSERT_TRUE(plan.forecast.has_value());
+  const PositionScore& chosen = plan.scores[static_cast<std::size_t>(*plan.position)];
+  const double before = area(object().model->mesh);
+  const testing::ScannedObject with({0, 5, *plan.position});
+  const double shown = area(with.model->mesh) - before;
+  ASSERT_GT(shown, 0.0);
+  EXPECT_GT(promise(chosen), 0.15 * shown);
+  EXPECT_LT(promise(chosen), 2.5 * shown);
+}
+
+TEST(Planner, TheLedgerCorrectsAForecast) {
+  PlanInput input = object().input();
+  const Plan first = planOf(input, forecasting());
+  const double spacing = 0.5 * (input.views[0].mesh->spacing + input.views[1].mesh->spacing);
+  input.ledger.assign(4, {1e6, 0.5e6});
+  const Plan later = planOf(input, forecasting());
+  ASSERT_TRUE(later.forecast.has_value());
+  EXPECT_EQ(later.forecast->trust.factor, trustIn(input.ledger, spacing, forecasting().ledger).factor);
+  EXPECT_LT(later.forecast->trust.factor, first.forecast->trust.factor);
+  for (std::size_t i = 0; i < first.scores.size(); ++i) {
+    const double uncorrected = first.scores[i].voidArea / first.forecast->trust.factor;
+    EXPECT_NEAR(later.scores[i].voidArea, later.forecast->trust.factor * uncorrected, 0.01 + 1e-3 * uncorrected) << i;
+    ASSERT_TRUE(later.scores[i].uncorrected.has_value());
+    EXPECT_NEAR(*later.scores[i].uncorrected * later.forecast->trust.factor, promise(later.scores[i]), 1e-6);
+  }
+}
+
+TEST(Planner, AForecastThatIsNotWorthAViewSaysWhatIsLeft) {
+  PlannerOptions options = forecasting();
+  options.termination.threshold = 1e9;
+  const Plan plan = planOf(object().input(), options);
+  EXPECT_EQ(plan.outcome, PlanOutcome::Finished);
+  ASSERT_TRUE(plan.forecast && plan.forecast->left);
+  const SurfaceLeft& left = *plan.forecast->left;
+  double most = 0.0;
+  for (const PositionScore& score : plan.scores) most = std::max(most, score.voidArea);
+  EXPECT_GE(left.area, 0.9 * most);
+  EXPECT_LE(left.least, left.area);
+  EXPECT_GE(left.most, left.area);
+  EXPECT_EQ(plan.voidLeft, left.area);
+}
+
+// After a view that showed more than F one more is tried from where most is forecast, after one that did not none.
+TEST(Planner, ProbesBeforeItBelievesItsOwnPrediction) {
+  PlannerOptions options = forecasting();
+  const Plan plan = planOf(object().input(), options);
+  double best = 0.0;
+  for (const PositionScore& score : plan.scores) best = std::max(best, promise(score));
+  options.probeShare = 0.01;
+  PlanInput input = object().input();
+  input.ledger = {{0.0, 1e6}};  // it says nothing of the factor
+  options.termination.threshold = 1.5 * best;
+  const Plan probing = planOf(input, options);
+  ASSERT_EQ(probing.outcome, PlanOutcome::Found);
+  EXPECT_TRUE(probing.forecast->probing);
+  EXPECT_EQ(probing.position, plan.position);
+  EXPECT_EQ(probing.terminationThreshold, 1.5 * best);
+  input.ledger = {{0.0, best}};
+  EXPECT_EQ(planOf(input, options).outcome, PlanOutcome::Finished);
+  options.probeShare = 1.0;
+  input.ledger = {{0.0, 1e6}};
+  EXPECT_EQ(planOf(input, options).outcome, PlanOutcome::Finished);
+}
+
+TEST(Planner, AForecastIsTheSameForAnyNumberOfThreads) {
+  const Plan one = planOf(object().input(), forecasting());
+  const Plan four = planOf(object().input(), forecasting(), Progress().withThreads(4));
+  EXPECT_EQ(one.position, four.position);
+  for (std::size_t i = 0; i < one.scores.size(); ++i) {
+    EXPECT_EQ(one.scores[i].voidArea, four.scores[i].voidArea);
+    EXPECT_EQ(one.scores[i].uncorrected, four.scores[i].uncorrected);
+  }
 }
 
 TEST(Planner, ChoosesWhatPromisesMostOfAllPositionsThatAreAllowed) {

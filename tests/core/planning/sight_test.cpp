@@ -1,4 +1,4 @@
-#include "planning/sight.h"
+#include "scanner/sight.h"
 
 #include <gtest/gtest.h>
 

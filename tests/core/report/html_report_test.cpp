@@ -88,6 +88,33 @@ TEST(HtmlReport, NeedsNoOtherFileAndEscapesNames) {
   EXPECT_FALSE(contains(html, "src=\"/"));
 }
 
+// It is handed on, and printed.
+TEST(HtmlReport, NamesTheObjectWithoutItsFolderAndSaysHowCompleteTheModelIs) {
+  AcquisitionState state = twoViews();
+  state.settings.simulation.object = "/home/somebody/secret/mug.ply";
+  auto model = std::make_shared<Model>();
+  model->mesh.vertices = {{0, 0, 0}, {20, 0, 0}, {0, 10, 0}};
+  model->mesh.triangles = {{0, 1, 2}};
+  state.model = model;
+  const std::string html = makeHtmlReport(state, {});
+  EXPECT_TRUE(contains(html, "<td>mug.ply</td>"));
+  EXPECT_FALSE(contains(html, "somebody"));
+  EXPECT_TRUE(contains(html, "20.0 × 10.0 × 0.0 mm, all lengths in millimetres"));
+  EXPECT_TRUE(contains(html, "<td>Openings</td><td>1</td>"));
+  EXPECT_TRUE(contains(html, "<td>Loose pieces</td><td>1</td>"));
+  EXPECT_TRUE(contains(html, "<td>Closed</td><td>no</td>"));
+  EXPECT_TRUE(contains(html, "@media print"));
+  EXPECT_TRUE(contains(html, "much larger"));
+}
+
+TEST(HtmlReport, CountsScansByTheirNumbers) {
+  AcquisitionState state = twoViews();
+  state.scans.front().status = ScanStatus::LeftOut;
+  const std::string html = makeHtmlReport(state, {});
+  EXPECT_TRUE(contains(html, "<td>0, left out</td>"));
+  EXPECT_TRUE(contains(html, "<tr><td>1</td>"));
+}
+
 TEST(HtmlReport, EncodesPicturesOfAnyLength) {
   for (const auto& [bytes, text] : {std::pair{"M", "TQ=="}, std::pair{"Ma", "TWE="}, std::pair{"Many", "TWFueQ=="}}) {
     HtmlReportOptions options;
@@ -110,6 +137,7 @@ TEST(HtmlReport, RefusesPicturesThatAreNotOnePerView) {
 }
 
 TEST(SvgChart, EndsItsAxisAtARoundNumberAboveTheLargestValue) {
+  EXPECT_TRUE(contains(drawChart(LineChart{"l", {25058.0}}), ">30000</text>"));
   EXPECT_TRUE(contains(drawChart(BarChart{"b", {3.0, 42.0}, {}, "", -1}), ">50</text>"));
   EXPECT_TRUE(contains(drawChart(LineChart{"l", {180.0}}), ">200</text>"));
   EXPECT_TRUE(contains(drawChart(LineChart{"l", {}}), ">1.0</text>"));

@@ -41,6 +41,7 @@ std::vector<Command> someCommands() {
           AlignStand{1, {{Vec3(1, 2, 3), Vec3(0.1, 0.2, 0.3)}}},
           AlignStand{2},
           ChooseStandPose{1, 2, true},
+          TakeReference{1},
           ChangeMode{Mode::Assisted}};
 }
 

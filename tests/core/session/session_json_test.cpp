@@ -35,6 +35,20 @@ TEST(SessionJson, NamesThatNobodyKnowsAreRefused) {
   expectError<InvalidInput>([] { static_cast<void>(scanStatusFromName("left out", "view 3")); }, {"view 3", "status"});
 }
 
+TEST(SessionJson, APlanKeepsWhatItsForecastRestsOn) {
+  Plan plan;
+  plan.outcome = PlanOutcome::Finished;
+  EXPECT_FALSE(planFromText(planText(plan), "plan 3").forecast.has_value());
+  plan.forecast = PlanForecast{{1.0 / 3.0, 0.25}, SurfaceLeft{12.5, 0.0, 1.0 / 7.0}, true};
+  const Plan read = planFromText(planText(plan), "plan 3");
+  ASSERT_TRUE(read.forecast && read.forecast->left);
+  EXPECT_EQ(read.forecast->trust.factor, 1.0 / 3.0);
+  EXPECT_EQ(read.forecast->trust.spread, 0.25);
+  EXPECT_TRUE(read.forecast->probing);
+  EXPECT_EQ(read.forecast->left->area, 12.5);
+  EXPECT_EQ(read.forecast->left->most, 1.0 / 7.0);
+}
+
 TEST(SessionJson, AStandStandsByARigidMotion) {
   std::vector<Stand> stands{{Pose::Identity()}, {}};
   EXPECT_FALSE(standsFromText(standsText(stands), "step 1")[1].T_object_table);

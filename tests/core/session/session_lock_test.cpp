@@ -30,7 +30,7 @@ TEST(SessionLock, GoesWithWhatItIsMovedTo) {
   {
     SessionLock first(session);
     const SessionLock second(std::move(first));
-    EXPECT_THROW(const SessionLock third(session), IoError);
+    EXPECT_THROW(const SessionLock third(session), SessionInUse);
   }
   EXPECT_FALSE(std::filesystem::exists(session + ".lock"));
 }

@@ -20,12 +20,19 @@ Stand alignedStand() {
 }
 
 TEST(StandJson, ComesBackToTheLastBit) {
-  const Stand read = standFrom(standJson(alignedStand()), "step 1");
+  const Stand read = standFrom(standJson(alignedStand()), 2, "step 1");
   EXPECT_EQ(standJson(read), standJson(alignedStand()));
   ASSERT_TRUE(read.alignment);
   EXPECT_EQ(read.alignment->candidates[0].rms, 1.0 / 3.0);
   EXPECT_EQ(read.alignment->used, 1);
   EXPECT_EQ(read.down, Vec3(0.0, 0.6, 0.8));
+}
+
+TEST(StandJson, TheStandThatASideWasToldInComesBack) {
+  Stand stand = alignedStand();
+  stand.reference = 1;
+  EXPECT_EQ(standFrom(standJson(stand), 2, "step 1").reference, 1);
+  EXPECT_THROW(static_cast<void>(standFrom(standJson(stand), 1, "step 1")), InvalidInput);
 }
 
 TEST(StandJson, OfAStandOfEarlierVersionsIsAsItWas) {
@@ -46,13 +53,13 @@ TEST(StandJson, ModelsThatAreSetAsideComeBack) {
 TEST(StandJson, WhatCannotBeIsRefused) {
   nlohmann::json json = standJson(alignedStand());
   json["alignment"]["used"] = 2;
-  EXPECT_THROW(static_cast<void>(standFrom(json, "step 1")), InvalidInput);
+  EXPECT_THROW(static_cast<void>(standFrom(json, 2, "step 1")), InvalidInput);
   json = standJson(alignedStand());
   json["alignment"]["verdict"] = "fine";
-  EXPECT_THROW(static_cast<void>(standFrom(json, "step 1")), InvalidInput);
+  EXPECT_THROW(static_cast<void>(standFrom(json, 2, "step 1")), InvalidInput);
   json = standJson(alignedStand());
   json["down"] = {1, 2};
-  EXPECT_THROW(static_cast<void>(standFrom(json, "step 1")), InvalidInput);
+  EXPECT_THROW(static_cast<void>(standFrom(json, 2, "step 1")), InvalidInput);
 }
 
 TEST(StandJson, PickedPointsComeBack) {

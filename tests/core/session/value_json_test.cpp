@@ -54,11 +54,13 @@ TEST(ValueJson, APredictionKeepsThePatchesThatAScoreLeavesOut) {
   score.position = 4;
   score.voidArea = 1.0 / 3.0;
   score.patches = {3, 5};
+  score.uncorrected = 2.0 / 3.0;
   const nlohmann::json prediction = predictionJson(score);
   const PositionScore read = predictionFrom(JsonFields(prediction, "step 2"));
   EXPECT_EQ(read.position, 4);
   EXPECT_EQ(read.voidArea, 1.0 / 3.0);
   EXPECT_EQ(read.patches, score.patches);
+  EXPECT_EQ(read.uncorrected, score.uncorrected);
   const nlohmann::json stored = storedScoreJson(score);
   EXPECT_TRUE(scoreFrom(JsonFields(stored, "plan 2")).patches.empty());
 }

@@ -1,4 +1,4 @@
-#include "planning/sight.h"
+#include "scanner/sight.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,8 +21,14 @@ std::string_view name(Visibility visibility) {
   return "";
 }
 
-SightTest::SightTest(const ScannerProfile& profile, const RayCaster& obstacles, const SightOptions& options)
-    : profile_(profile), obstacles_(obstacles), options_(options) {}
+SightTest::SightTest(const ScannerProfile& profile, const RayCaster& obstacles, const SightOptions& options,
+                     const RayCaster* assumed)
+    : profile_(profile), obstacles_(obstacles), assumed_(assumed), options_(options) {}
+
+bool SightTest::blocked(const Vec3& from, const Vec3& to) const {
+  return obstacles_.occluded(from, to, options_.margin) ||
+         (assumed_ != nullptr && assumed_->occluded(from, to, options_.margin));
+}
 
 Sight SightTest::look(const Pose& T_object_scanner, const Vec3& point, const Vec3& normal, double widestAngle) const {
   Sight sighting;
@@ -41,7 +47,7 @@ Sight SightTest::look(const Pose& T_object_scanner, const Vec3& point, const Vec
 
   sighting.visibility = Visibility::LightBlocked;
   const Vec3 start = point + options_.offset * normal;
-  if (obstacles_.occluded(start, T_object_scanner * ray.origin, options_.margin)) return sighting;
+  if (blocked(start, T_object_scanner * ray.origin)) return sighting;
 
   sighting.visibility = Visibility::ReceiverBlocked;
   if (received(T_object_scanner, rays.nearest(*place), point, normal)) sighting.visibility = Visibility::Seen;
@@ -55,7 +61,7 @@ bool SightTest::received(const Pose& T_object_scanner, std::size_t ray, const Ve
   const auto receivers = rays.receivers(ray);
   return std::any_of(receivers.begin(), receivers.end(), [&](const Vec3& r) {
     const Vec3 receiver = T_object_scanner * r;
-    return (receiver - point).dot(normal) > 0.0 && !obstacles_.occluded(start, receiver, options_.margin);
+    return (receiver - point).dot(normal) > 0.0 && !blocked(start, receiver);
   });
 }
 

@@ -34,8 +34,10 @@ struct SightOptions {
 /// number of poses, so it serves to judge the few positions that positional space proposes.
 class SightTest {
  public:
-  /// Both must outlive the test.
-  SightTest(const ScannerProfile& profile, const RayCaster& obstacles, const SightOptions& options);
+  /// All must outlive the test.
+  /// @param assumed what blocks the sight as well, though nobody has seen it; may be null
+  SightTest(const ScannerProfile& profile, const RayCaster& obstacles, const SightOptions& options,
+            const RayCaster* assumed = nullptr);
 
   /// @param normal unit, object coordinates like `point`.
   [[nodiscard]] Sight look(const Pose& T_object_scanner, const Vec3& point, const Vec3& normal) const {
@@ -52,8 +54,11 @@ class SightTest {
   [[nodiscard]] const SightOptions& options() const { return options_; }
 
  private:
+  [[nodiscard]] bool blocked(const Vec3& from, const Vec3& to) const;
+
   const ScannerProfile& profile_;
   const RayCaster& obstacles_;
+  const RayCaster* assumed_;
   SightOptions options_;
 };
 
