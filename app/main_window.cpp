@@ -14,6 +14,7 @@
 #include <algorithm>
 
 #include "acquisition/stand_composites.h"
+#include "diagnostics_dialog.h"
 #include "docks/job_panel.h"
 #include "docks/log_panel.h"
 #include "docks/session_log.h"
@@ -149,6 +150,7 @@ void MainWindow::addMenus() {
   addAction(edit, tr("&Settings…"), tr("Ctrl+,"), [this] { editSettings(); });
   addViewMenu();
   QMenu& help = *menuBar()->addMenu(tr("&Help"));
+  addAction(help, tr("Copy &diagnostics…"), {}, [this] { showDiagnostics(); });
   addAction(help, tr("&About Vantage"), {}, [this] { showAbout(); });
 }
 
@@ -378,6 +380,17 @@ void MainWindow::closeEvent(QCloseEvent* event) {
   file.setValue(QStringLiteral("window/layout"), saveState(kLayoutVersion));
   if (!controller_.idle()) controller_.stop();
   event->accept();
+}
+
+void MainWindow::openSession(const QString& path) {
+  door_->openSession(path);
+}
+
+void MainWindow::showDiagnostics() {
+  const QStringList log = log_->toPlainText().split(QLatin1Char('\n'), Qt::SkipEmptyParts);
+  auto* dialog = new DiagnosticsDialog(diagnose(controller_, preferences_, log), this);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->open();
 }
 
 void MainWindow::showAbout() {

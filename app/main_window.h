@@ -41,6 +41,8 @@ class MainWindow final : public QMainWindow {
   void applyPreferences(const Preferences& preferences);
   /// Shows how a stand that is not in place yet lies in the object; without a number that of the last of them.
   void compareStands(std::optional<int> stand = {});
+  /// Opens a session instead of the one that is open, or says why that cannot be done now.
+  void openSession(const QString& path);
   /// Docks as the operator left them.
   void restoreLayout();
 
@@ -68,6 +70,7 @@ class MainWindow final : public QMainWindow {
   void editSettings();
   void writeReport(const QString& path);
   void resetLayout();
+  void showDiagnostics();
   void showAbout();
 
   WindowParts parts_;

@@ -22,8 +22,11 @@ int machineThreads() {
 
 }  // namespace
 
-CommandContext::CommandContext(std::stop_token stop)
-    : stop_(std::move(stop)), bar_(ProgressBar::terminal()), threads_(machineThreads()) {}
+CommandContext::CommandContext(std::stop_token stop, std::vector<std::string> arguments)
+    : stop_(std::move(stop)),
+      arguments_(std::move(arguments)),
+      bar_(ProgressBar::terminal()),
+      threads_(machineThreads()) {}
 
 void CommandContext::addCommonOptions(CLI::App& command) {
   command.add_flag("--json", json_, "Print the result on stdout as one JSON object");

@@ -23,7 +23,8 @@ struct Remark {
 /// What every subcommand shares: its common options, and where progress and results go.
 class CommandContext {
  public:
-  explicit CommandContext(std::stop_token stop);
+  /// @param arguments that the program was started with, without its name
+  explicit CommandContext(std::stop_token stop, std::vector<std::string> arguments = {});
 
   /// Adds --json and --threads.
   void addCommonOptions(CLI::App& command);
@@ -48,9 +49,13 @@ class CommandContext {
   void note(const std::string& line);
 
   [[nodiscard]] bool json() const { return json_; }
+  [[nodiscard]] int threads() const { return threads_; }
+  [[nodiscard]] const std::vector<std::string>& arguments() const { return arguments_; }
+  [[nodiscard]] std::stop_token stop() const { return stop_; }
 
  private:
   std::stop_token stop_;
+  std::vector<std::string> arguments_;
   ProgressBar bar_;
   bool json_ = false;
   bool events_ = false;
@@ -64,6 +69,7 @@ void addResumeCommand(CLI::App& app, CommandContext& context);
 void addStepCommand(CLI::App& app, CommandContext& context);
 void addTakeCommand(CLI::App& app, CommandContext& context);
 void addImportCommand(CLI::App& app, CommandContext& context);
+void addBatchCommand(CLI::App& app, CommandContext& context);
 void addOptionsCommand(CLI::App& app, CommandContext& context);
 void addPlanCommand(CLI::App& app, CommandContext& context);
 void addExportCommand(CLI::App& app, CommandContext& context);

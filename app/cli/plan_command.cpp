@@ -3,12 +3,12 @@
 
 #include "acquisition/steps.h"
 #include "base/errors.h"
-#include "cli/cache_directory.h"
 #include "cli/command.h"
 #include "cli/open_session.h"
 #include "cli/text.h"
 #include "planning/choice.h"
 #include "positional_space/scanner_images_cache.h"
+#include "program/user_folders.h"
 #include "report/report.h"
 #include "report/wording.h"
 

@@ -6,37 +6,24 @@
 #include "acquisition/steps.h"
 #include "base/errors.h"
 #include "charts/objective_chart.h"
-#include "cli/cache_directory.h"
 #include "cli/command.h"
 #include "cli/open_session.h"
 #include "cli/picture_application.h"
+#include "cli/picture_arguments.h"
 #include "cli/text.h"
 #include "integration/colouring.h"
 #include "io/output_file.h"
 #include "osmesa/osmesa_window.h"
 #include "planning/plan_images.h"
 #include "positional_space/scanner_images_cache.h"
+#include "program/user_folders.h"
 #include "scenes/model_scene.h"
 #include "scenes/positional_scene.h"
 
 namespace vantage {
 namespace {
 
-struct RenderArguments {
-  std::string session;
-  std::string view = "model";
-  std::optional<int> step;
-  std::string out;
-  std::string size = "1280x800";
-  bool dark = false;
-  std::string surface;
-};
-
 constexpr int kLargestSide = 8192;
-const std::vector<std::string> kSurfaces{"plain", "confidence", "view",
-                                         "age",   "colours",    "stand"};  // as ModelColouring
-const std::vector<std::string> kViews{"model", "void", "ps-void", "ps-seen", "ps-scanner", "objective"};
-
 QSize parseSize(const std::string& text) {
   int width = 0;
   int height = 0;
@@ -106,8 +93,8 @@ QImage pictureOf(const Options& options, const SharedSnapshot& snapshot, const Q
 // By themselves models are in their colours.
 std::optional<ModelColouring> colouringOf(const RenderArguments& args, const ViewSnapshot& snapshot) {
   if (args.surface.empty()) return std::nullopt;
-  const auto found = std::find(kSurfaces.begin(), kSurfaces.end(), args.surface);
-  const auto colouring = static_cast<ModelColouring>(found - kSurfaces.begin());
+  const auto found = std::find(renderedSurfaces().begin(), renderedSurfaces().end(), args.surface);
+  const auto colouring = static_cast<ModelColouring>(found - renderedSurfaces().begin());
   if (colouring == ModelColouring::Colours && !haveColours(snapshot.views))
     throw InvalidInput(args.session + ": none of its scans has colours, --surface colours needs some");
   if (colouring == ModelColouring::Stand && !haveStands(snapshot.views))
@@ -176,18 +163,8 @@ void run(const RenderArguments& args, CommandContext& context) {
 }  // namespace
 
 void addRenderCommand(CLI::App& app, CommandContext& context) {
-  auto args = std::make_shared<RenderArguments>();
-  CLI::App* command = app.add_subcommand("render", "Draw a view of a session as a PNG picture, without a display");
-  command->add_option("session", args->session, "Session file")->required();
-  command->add_option("--view", args->view, "What to draw")->check(CLI::IsMember(kViews))->capture_default_str();
-  command
-      ->add_option("--surface", args->surface,
-                   "What --view model and void colour the surface by; where scans have colours, by these")
-      ->check(CLI::IsMember(kSurfaces));
-  command->add_option("--step", args->step, "The session as it was after so many views; the last by default");
-  command->add_option("--out", args->out, "PNG file to write")->required();
-  command->add_option("--size", args->size, "Width and height in pixels")->capture_default_str();
-  command->add_flag("--dark", args->dark, "Draw in the dark theme");
+  const auto args = std::make_shared<RenderArguments>();
+  CLI::App* command = args->addTo(app);
   context.addCommonOptions(*command);
   command->callback([args, &context] { run(*args, context); });
 }

@@ -3,20 +3,17 @@
 #include "cli/command.h"
 #include "cli/open_session.h"
 #include "cli/picture_application.h"
+#include "cli/picture_arguments.h"
 #include "cli/text.h"
 #include "io/output_file.h"
 #include "osmesa/osmesa_window.h"
+#include "program/version.h"
 #include "report/html_report.h"
 #include "report_pictures.h"
 #include "scenes/model_scene.h"
 
 namespace vantage {
 namespace {
-
-struct ReportArguments {
-  std::string session;
-  std::string out;
-};
 
 // The model from a few sides, with the void that is left by its reason.
 std::vector<ReportPicture> modelPictures(const std::shared_ptr<const AcquisitionState>& state) {
@@ -44,7 +41,7 @@ void run(const ReportArguments& args, CommandContext& context) {
   checkOutput(args.out, OutputKind::Report, std::vector{args.session});
   const auto state = readObject(args.session, context);
   HtmlReportOptions options;
-  options.version = VANTAGE_VERSION;
+  options.version = programVersion();
   const PictureApplication application;
   options.pictures = modelPictures(state);
   options.viewPictures = scanPictures(*state);
@@ -57,10 +54,8 @@ void run(const ReportArguments& args, CommandContext& context) {
 }  // namespace
 
 void addReportCommand(CLI::App& app, CommandContext& context) {
-  auto args = std::make_shared<ReportArguments>();
-  CLI::App* command = app.add_subcommand("report", "Write the report of a session as one HTML page with pictures");
-  command->add_option("session", args->session, "Session file")->required();
-  command->add_option("--out", args->out, "HTML file to write")->required();
+  const auto args = std::make_shared<ReportArguments>();
+  CLI::App* command = args->addTo(app);
   context.addCommonOptions(*command);
   command->callback([args, &context] { run(*args, context); });
 }

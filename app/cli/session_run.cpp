@@ -9,11 +9,11 @@
 #include "acquisition/other_turn.h"
 #include "acquisition/stand_composites.h"
 #include "base/errors.h"
-#include "cli/cache_directory.h"
 #include "cli/text.h"
 #include "devices/standing_object.h"
 #include "planning/choice.h"
 #include "positional_space/scanner_images_cache.h"
+#include "program/user_folders.h"
 #include "report/memory_note.h"
 #include "report/report.h"
 #include "report/wording.h"
@@ -286,7 +286,7 @@ void SessionRun::writeResults() {
   const Progress progress = takesLong(*last_) ? context_.progress().part(0.0, 1.0, "writing the results")
                                               : Progress({}, {}, context_.progress().threads());
   progress.checkpoint(0.0);
-  report_ = makeReport(*last_, VANTAGE_VERSION);
+  report_ = makeReport(*last_, programVersion());
   results_.write(withObject(*last_), report_, progress.part(0.3, 1.0));
 }
 

@@ -3,7 +3,6 @@
 #include "acquisition/acquisition.h"
 #include "acquisition/other_turn.h"
 #include "base/errors.h"
-#include "cli/cache_directory.h"
 #include "cli/command.h"
 #include "cli/open_session.h"
 #include "cli/reading_arguments.h"
@@ -12,6 +11,7 @@
 #include "cli/text.h"
 #include "io/recorded_scans.h"
 #include "positional_space/scanner_images_cache.h"
+#include "program/user_folders.h"
 #include "report/report.h"
 #include "session/reading_json.h"
 

@@ -4,11 +4,11 @@
 #include "acquisition/acquisition.h"
 #include "acquisition/other_turn.h"
 #include "base/errors.h"
-#include "cli/cache_directory.h"
 #include "cli/command.h"
 #include "cli/open_session.h"
 #include "cli/text.h"
 #include "positional_space/scanner_images_cache.h"
+#include "program/user_folders.h"
 #include "report/report.h"
 #include "report/wording.h"
 

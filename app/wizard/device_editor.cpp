@@ -11,9 +11,9 @@
 #include <QVBoxLayout>
 
 #include "base/errors.h"
-#include "devices/resource_folder.h"
 #include "devices/serial/port_list.h"
 #include "form_parts.h"
+#include "program/installed_files.h"
 
 namespace vantage {
 namespace {

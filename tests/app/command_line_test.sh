@@ -32,6 +32,10 @@ expect 0 "acquire" "$cli" --help
 expect 0 "--strategy" "$cli" acquire --help
 expect 2 "" "$cli"
 expect 2 "" "$cli" fly
+expect 0 "commit " "$cli" --version
+expect 0 "Embree " "$cli" --version
+expect 0 "--resume" "$cli" batch --help
+expect 1 "cannot be read" "$cli" batch "$work/nothing.json"
 expect 2 "" "$cli" acquire --object "$mug"
 expect 2 "uniform" "$cli" acquire --object "$mug" --scanner "$scanner" --out "$work/a" --strategy best
 

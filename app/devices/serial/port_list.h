@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,12 @@ struct PortDescription {
 
 /// The serial ports of this machine in order of their paths. Pseudo terminals are not among them.
 [[nodiscard]] std::vector<PortDescription> serialPorts();
+
+/// The same as a system tells in other folders.
+/// @param system what is /sys in Linux: class/tty has an entry for every port
+/// @param devices what is /dev
+[[nodiscard]] std::vector<PortDescription> serialPorts(const std::filesystem::path& system,
+                                                       const std::filesystem::path& devices);
 
 /// Maker, description and serial number in one line; empty when it tells none.
 [[nodiscard]] std::string describe(const PortDescription& port);

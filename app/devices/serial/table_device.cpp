@@ -3,8 +3,8 @@
 #include <utility>
 
 #include "base/errors.h"
-#include "devices/resource_folder.h"
 #include "devices/serial/serial_port.h"
+#include "program/installed_files.h"
 
 namespace vantage {
 

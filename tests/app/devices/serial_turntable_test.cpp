@@ -5,7 +5,7 @@
 #include <thread>
 
 #include "base/errors.h"
-#include "devices/resource_folder.h"
+#include "program/installed_files.h"
 #include "devices/serial/serial_port.h"
 #include "devices/serial/table_device.h"
 #include "devices/serial/table_recognition.h"

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "base/errors.h"
-#include "devices/resource_folder.h"
+#include "program/installed_files.h"
 
 namespace vantage {
 namespace {

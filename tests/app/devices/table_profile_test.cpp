@@ -7,7 +7,7 @@
 #include <iterator>
 
 #include "base/errors.h"
-#include "devices/resource_folder.h"
+#include "program/installed_files.h"
 #include "support/test_data.h"
 
 namespace vantage {

@@ -8,4 +8,8 @@ namespace vantage {
 /// the machine names no such place.
 [[nodiscard]] std::string cacheDirectory();
 
+/// Where what broke is kept ($XDG_STATE_HOME/vantage or ~/.local/state/vantage); empty when the machine names no such
+/// place.
+[[nodiscard]] std::string stateDirectory();
+
 }  // namespace vantage
