@@ -8,6 +8,7 @@
 #include "form_parts.h"
 #include "integration/colouring.h"
 #include "stand_text.h"
+#include "wizard/print_dialog.h"
 
 namespace vantage {
 
@@ -33,10 +34,14 @@ FinishPage::FinishPage(SessionController& controller, QWidget* parent)
           &QPushButton::clicked, this, exportTo(QStringLiteral("model.obj")));
   connect(addExport(tr("Export &as…"), QStringLiteral("exportAs"), {}, tr("To a file of your choice."), false),
           &QPushButton::clicked, this, [this] {
-            const QString path = QFileDialog::getSaveFileName(
-                this, tr("Export the model"), inFolder(QStringLiteral("model.stl")), tr("Models (*.stl *.ply *.obj)"));
+            const QString path =
+                QFileDialog::getSaveFileName(this, tr("Export the model"), inFolder(QStringLiteral("model.stl")),
+                                             tr("Models (*.stl *.ply *.obj *.3mf)"));
             if (!path.isEmpty()) this->controller().exportModel(path);
           });
+  connect(addExport(tr("Rea&dy to print…"), QStringLiteral("exportPrintable"), {},
+                    tr("Closed, in one piece, or you learn why not; also fewer triangles, inches, 3MF."), false),
+          &QPushButton::clicked, this, &FinishPage::exportForPrint);
   addSection(tr("Report"));
   connect(addExport(tr("Write the &report"), QStringLiteral("report"), QStringLiteral("report.html"),
                     tr("One HTML page with pictures, figures, times and what is left."), false),
@@ -48,6 +53,11 @@ FinishPage::FinishPage(SessionController& controller, QWidget* parent)
     if (!written_->text().contains(line))
       written_->setText(written_->text() + (written_->text().isEmpty() ? "" : "\n") + line);
     emit changed();
+  });
+  connect(&controller, &SessionController::madeReady, this,
+          [this](const QString& what) { written_->setText(written_->text() + QStringLiteral("\n") + what); });
+  connect(&controller, &SessionController::printRefused, this, [this](const QString& why) {
+    written_->setText(tr("Not written: the model cannot be printed as one piece.") + QStringLiteral("\n") + why);
   });
   connect(&controller, &SessionController::sessionChanged, written_, &QLabel::clear);
   connect(&controller, &SessionController::stateChanged, this, &FinishPage::refresh);
@@ -62,6 +72,14 @@ QPushButton* FinishPage::addExport(const QString& text, const QString& name, con
   column().addWidget(button);
   column().addWidget(makeLabel(file.isEmpty() ? help : file + QStringLiteral(": ") + help, "muted"));
   return button;
+}
+
+void FinishPage::exportForPrint() {
+  PrintDialog dialog(this);
+  if (dialog.exec() != QDialog::Accepted) return;
+  const QString path = QFileDialog::getSaveFileName(
+      this, tr("Export for printing"), inFolder(QStringLiteral("part.3mf")), tr("Models (*.3mf *.stl *.ply *.obj)"));
+  if (!path.isEmpty()) controller().exportFinished(path, dialog.choice());
 }
 
 QString FinishPage::inFolder(const QString& file) const {
@@ -93,9 +111,10 @@ void FinishPage::refresh() {
   const QString missing = now ? missingStandsText(*now) : QString();
   missing_->setText(missing);
   missing_->setVisible(!missing.isEmpty());
-  place_->setText(
-      tr("Into %1").arg(QDir::toNativeSeparators(inFolder({}))) +
-      (coloured ? QStringLiteral("\n") + tr("The scans have colours: PLY and OBJ keep them, STL cannot.") : QString()));
+  place_->setText(tr("Into %1").arg(QDir::toNativeSeparators(inFolder({}))) +
+                  (coloured
+                       ? QStringLiteral("\n") + tr("The scans have colours: PLY and OBJ keep them, STL and 3MF do not.")
+                       : QString()));
   emit changed();
 }
 

@@ -29,6 +29,7 @@ class FinishPage final : public WizardPage {
   QPushButton* addExport(const QString& text, const QString& name, const QString& file, const QString& help,
                          bool primary);
   [[nodiscard]] QString inFolder(const QString& file) const;
+  void exportForPrint();
   void refresh();
 
   QLabel* place_;
