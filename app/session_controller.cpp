@@ -1,6 +1,8 @@
 #include "session_controller.h"
 
+#include <cstdint>
 #include <utility>
+#include <vector>
 
 #include "acquisition/model_colours.h"
 #include "acquisition/stand_composites.h"
@@ -9,6 +11,7 @@
 #include "devices/standing_object.h"
 #include "io/mesh_writer.h"
 #include "io/output_file.h"
+#include "print_text.h"
 #include "report/memory_note.h"
 #include "session/table_note.h"
 #include "session_start.h"
@@ -411,6 +414,36 @@ void SessionController::exportModel(const QString& path) {
         return true;
       },
       [this, path](bool) { emit written(path); });
+}
+
+void SessionController::exportFinished(const QString& path, const HandOver& how) {
+  if (!allowed(permissions().whyNotExport())) return;
+  struct Made {
+    QString done;
+    QString whyNot;
+  };
+  work_.begin<Made>(
+      Activity::Writing, tr("Writing %1").arg(path),
+      [state = now(), path = path.toStdString(), how, inputs = filesInUse()](const Progress& progress) {
+        checkOutput(path, OutputKind::Mesh, inputs);
+        const AcquisitionState object = withObject(*state);
+        const FinishedModel made = finish(*object.model, how.finishing, progress.part(0.0, 0.6));
+        if (how.onlyPrintable && !made.check.printable()) return Made{{}, whyNotPrintable(made.check)};
+        const VertexColours colours =
+            made.coloursOf(holdsColours(path) ? coloursOf(object, progress.part(0.6, 0.8)) : VertexColours{});
+        const std::vector<std::uint8_t> invented = made.invented();
+        exportModelAs(made.model, path, {worldOffset(outlineOf(object)), colours, invented, how.unit},
+                      progress.part(0.8, 1.0));
+        return Made{finishingText(made), {}};
+      },
+      [this, path](const Made& made) {
+        if (!made.whyNot.isEmpty()) {
+          emit printRefused(made.whyNot);
+          return;
+        }
+        emit written(path);
+        emit madeReady(made.done);
+      });
 }
 
 void SessionController::writeReport(const QString& path, ReportParts parts) {

@@ -14,6 +14,7 @@
 #include "bench/table_calibrating.h"
 #include "bench/test_scans.h"
 #include "devices/device_factory.h"
+#include "hand_over.h"
 #include "job_runner.h"
 #include "permissions.h"
 #include "present.h"
@@ -139,6 +140,8 @@ class SessionController final : public QObject {
 
   /// The model of the object: without stands that are not put together with it yet.
   void exportModel(const QString& path);
+  /// The same, made ready to be handed over. What cannot be printed, and should, is not written: printRefused says why.
+  void exportFinished(const QString& path, const HandOver& how);
   /// What a report on a state shows beside its figures; called beside the window.
   using ReportParts = std::function<HtmlReportOptions(const AcquisitionState&)>;
   void writeReport(const QString& path, ReportParts parts);
@@ -162,6 +165,8 @@ class SessionController final : public QObject {
   void inUse(const QString& path, const QString& why);  ///< it is not opened: another program writes to it
   void damaged(const QStringList& losses);              ///< what cannot be read of the session that was opened
   void written(const QString& path);                    ///< a model or report
+  void madeReady(const QString& what);                  ///< what was done to the model that was written
+  void printRefused(const QString& why);                ///< a model that cannot be printed was not written
   void failed(const QString& what);                     ///< one sentence for the operator
   void refused(const QString& why);                     ///< what was asked for cannot be done now
   void message(const QString& what);                    ///< for the log

@@ -11,14 +11,15 @@
 #include "form_parts.h"
 #include "integration/colouring.h"
 #include "stand_text.h"
+#include "wizard/print_dialog.h"
 
 namespace vantage {
 
 QString withSuffix(const QString& path, const QString& filter) {
   const QString suffix = QFileInfo(path).suffix().toLower();
-  for (const char* known : {"stl", "ply", "obj"})
+  for (const char* known : {"stl", "ply", "obj", "3mf"})
     if (suffix == QLatin1String(known)) return path;
-  for (const char* known : {"ply", "obj"})
+  for (const char* known : {"ply", "obj", "3mf"})
     if (filter.contains(QStringLiteral("*.") + QLatin1String(known)))
       return path + QLatin1Char('.') + QLatin1String(known);
   return path + QStringLiteral(".stl");
@@ -51,10 +52,13 @@ FinishPage::FinishPage(SessionController& controller, QWidget* parent)
             QString filter;
             const QString path = QFileDialog::getSaveFileName(
                 this, tr("Export the model"), inFolder(QStringLiteral("model.stl")),
-                tr("STL (*.stl);;PLY (*.ply);;OBJ (*.obj)"), &filter, QFileDialog::DontConfirmOverwrite);
+                tr("STL (*.stl);;PLY (*.ply);;OBJ (*.obj);;3MF (*.3mf)"), &filter, QFileDialog::DontConfirmOverwrite);
             if (!path.isEmpty())
               writeTo(withSuffix(path, filter), [this](const QString& to) { this->controller().exportModel(to); });
           });
+  connect(addExport(tr("Rea&dy to print…"), QStringLiteral("exportPrintable"), {},
+                    tr("Closed, in one piece, or you learn why not; also fewer triangles, inches, 3MF."), false),
+          &QPushButton::clicked, this, &FinishPage::exportForPrint);
   addSection(tr("Report"));
   connect(addExport(tr("&Write the report"), QStringLiteral("report"), QStringLiteral("report.html"),
                     tr("One HTML page with pictures, figures, times and what is left."), false),
@@ -65,14 +69,12 @@ FinishPage::FinishPage(SessionController& controller, QWidget* parent)
   column().addWidget(written_);
   column().addStretch();
   connect(&controller, &SessionController::written, this, [this](const QString& path) {
-    written_->setVisible(true);
     const QUrl folder = QUrl::fromLocalFile(QFileInfo(path).absolutePath());
     const QString line =
         tr("Written: %1 (<a href=\"%2\">open</a>, <a href=\"%3\">show the folder</a>)")
             .arg(QFileInfo(path).fileName().toHtmlEscaped(), QString::fromLatin1(QUrl::fromLocalFile(path).toEncoded()),
                  QString::fromLatin1(folder.toEncoded()));
-    if (!written_->text().contains(line))
-      written_->setText(written_->text() + (written_->text().isEmpty() ? "" : "<br>") + line);
+    if (!written_->text().contains(line)) addLine(line);
     emit changed();
   });
   written_->setTextFormat(Qt::RichText);
@@ -83,6 +85,11 @@ FinishPage::FinishPage(SessionController& controller, QWidget* parent)
   connect(&controller, &SessionController::sessionChanged, this, [this] {
     written_->clear();
     written_->hide();
+  });
+  const auto addText = [this](const QString& text) { addLine(text.toHtmlEscaped().replace(u'\n', u"<br>"_qs)); };
+  connect(&controller, &SessionController::madeReady, this, addText);
+  connect(&controller, &SessionController::printRefused, this, [addText](const QString& why) {
+    addText(tr("Not written: the model cannot be printed as one piece.") + QStringLiteral("\n") + why);
   });
   connect(&controller, &SessionController::stateChanged, this, &FinishPage::refresh);
   connect(&controller, &SessionController::activityChanged, this, &FinishPage::refresh);
@@ -112,6 +119,23 @@ QPushButton* FinishPage::addExport(const QString& text, const QString& name, con
   column().addWidget(button);
   column().addWidget(makeLabel(file.isEmpty() ? help : file + QStringLiteral(": ") + help, "muted"));
   return button;
+}
+
+void FinishPage::exportForPrint() {
+  PrintDialog dialog(this);
+  if (dialog.exec() != QDialog::Accepted) return;
+  QString filter;
+  const QString path = QFileDialog::getSaveFileName(
+      this, tr("Export for printing"), inFolder(QStringLiteral("part.3mf")),
+      tr("3MF (*.3mf);;STL (*.stl);;PLY (*.ply);;OBJ (*.obj)"), &filter, QFileDialog::DontConfirmOverwrite);
+  if (path.isEmpty()) return;
+  writeTo(withSuffix(path, filter),
+          [this, choice = dialog.choice()](const QString& to) { controller().exportFinished(to, choice); });
+}
+
+void FinishPage::addLine(const QString& line) {
+  written_->setText(written_->text() + (written_->text().isEmpty() ? "" : "<br>") + line);
+  written_->show();
 }
 
 QString FinishPage::inFolder(const QString& file) const {
@@ -148,7 +172,8 @@ void FinishPage::refresh() {
       (controller().showsNow()
            ? QString()
            : QStringLiteral("\n") + tr("An earlier moment is shown; written is the session as it is now.")) +
-      (coloured ? QStringLiteral("\n") + tr("The scans have colours: PLY and OBJ keep them, STL cannot.") : QString()));
+      (coloured ? QStringLiteral("\n") + tr("The scans have colours: PLY and OBJ keep them, STL and 3MF do not.")
+                : QString()));
   emit changed();
 }
 

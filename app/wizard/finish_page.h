@@ -32,6 +32,8 @@ class FinishPage final : public WizardPage {
                          bool primary);
   void writeTo(const QString& path, const std::function<void(const QString& path)>& write);
   [[nodiscard]] QString inFolder(const QString& file) const;
+  void exportForPrint();
+  void addLine(const QString& line);
   void refresh();
 
   QLabel* place_;

@@ -133,6 +133,25 @@ TEST_F(SessionControllerTest, StepsLeadToTheSameModelAsARun) {
   EXPECT_EQ(bytesOf(path("run.stl")), bytesOf(path("steps.stl")));
 }
 
+TEST_F(SessionControllerTest, WhatCannotBePrintedIsNotWrittenAndSaysWhy) {
+  prepare();
+  controller_->step();
+  QSignalSpy refused(controller_.get(), &SessionController::printRefused);
+  QSignalSpy made(controller_.get(), &SessionController::madeReady);
+  controller_->exportFinished(path("open.stl"), {});
+  ASSERT_EQ(refused.count(), 1);
+  EXPECT_TRUE(refused[0][0].toString().contains(QStringLiteral("opening")));
+  EXPECT_FALSE(QFile::exists(path("open.stl")));
+  HandOver how;
+  how.finishing.close.emplace();
+  how.onlyPrintable = false;
+  controller_->exportFinished(path("closed.3mf"), how);
+  EXPECT_TRUE(failure_.isEmpty()) << failure_.toStdString();
+  ASSERT_EQ(made.count(), 1);
+  EXPECT_TRUE(made[0][0].toString().contains(QStringLiteral("invented")));
+  EXPECT_FALSE(bytesOf(path("closed.3mf")).isEmpty());
+}
+
 TEST_F(SessionControllerTest, UndoAndRedoMoveThroughTheScans) {
   prepare();
   controller_->step();
