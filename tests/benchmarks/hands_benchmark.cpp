@@ -131,6 +131,11 @@ struct Off {
   double surface = 0.0;  // from the object's surface, rms [mm]
 };
 
+// Of a scan that was refused: only where it was registered.
+Off whereRefused(const KeptScan& scan, const Pose& truth) {
+  return {0.0, distanceOff(scan, scan.record.registration.T_object_scanner, truth), 0.0};
+}
+
 void printScan(const KeptScan& scan, const Off& off, double turnOff) {
   const RegistrationResult& found = scan.record.registration;
   std::printf("    scan %2d at %2d: %s %s %s", static_cast<int>(scan.number), *scan.station().position,
@@ -173,7 +178,7 @@ class Run {
       const KeptScan& scan = state.scans[i];
       const bool in = scan.status == ScanStatus::In;
       const bool good = scan.record.registration.verdict == Verdict::Good;
-      const Off off = in ? offOf(scan, T_object_table, truths[i]) : Off{};
+      const Off off = in ? offOf(scan, T_object_table, truths[i]) : whereRefused(scan, T_object_table * truths[i]);
       (in ? good ? row.good : row.doubtful : row.refused) += 1;
       if (off.place > kWrong) (off.surface > kWrong ? row.wrong : row.slid) += 1;
       if (good && (off.surface > kWrong || off.place > kElsewhere)) ++row.goodAndWrong;
