@@ -98,6 +98,24 @@ RegistrationResult asLoose(RegistrationResult result, const ViewSurface& surface
   return result;
 }
 
+// What fits only together with doubtful views is no better than they are: an error of theirs is one of its own.
+RegistrationResult noBetterThanOthers(const AcquisitionState& state, RegistrationResult result,
+                                      const ViewSurface& surface, const IcpOptions& options, const Progress& progress) {
+  if (result.verdict != Verdict::Good) return result;
+  std::vector<View> good;
+  for (const KeptScan* scan : firmScans(state))
+    if (scan->record.registration.verdict == Verdict::Good) good.push_back(scan->view);
+  if (good.size() == countScans(state, ScanStatus::In)) return result;
+  IcpOptions free = options;
+  free.prior.reset();
+  if (!good.empty() &&
+      registerView(surface, result.T_object_scanner, RegistrationTarget(good), free, progress).verdict == Verdict::Good)
+    return result;
+  result.verdict = Verdict::Doubtful;
+  result.finding = {VerdictReason::HeldByMechanics, std::nullopt, {}};
+  return result;
+}
+
 }  // namespace
 
 bool turnedByGuess(const RangeImage& image) {
@@ -146,14 +164,16 @@ RegistrationResult registerOnTurn(const AcquisitionState& state, const KeptScan&
   const std::vector<View> firm = firmViews(state);
   const bool allFirm = firm.size() == countScans(state, ScanStatus::In);
   if (!allFirm) {
-    if (const auto found = foundIn(search, surface, RegistrationTarget(firm), progress.part(0.0, 0.4))) return *found;
+    if (const auto found = foundIn(search, surface, RegistrationTarget(firm), progress.part(0.0, 0.4)))
+      return noBetterThanOthers(state, *found, surface, options.registration, progress);
   }
   const RegistrationTarget whole(state.model->mesh, state.model->confidence);
   const auto found = foundIn(search, surface, whole, progress.part(0.4, 0.8));
   const RegistrationResult result =
       found ? *found
             : registerView(surface, scan.view.T_object_scanner, whole, search.fromHand, progress.part(0.8, 1.0));
-  return allFirm ? result : asLoose(result, surface, *scan.view.image->poseUncertainty);
+  return allFirm ? noBetterThanOthers(state, result, surface, options.registration, progress)
+                 : asLoose(result, surface, *scan.view.image->poseUncertainty);
 }
 
 bool settleLooseViews(AcquisitionState& state, const StepOptions& options, const Progress& progress) {
@@ -180,7 +200,8 @@ bool settleLooseViews(AcquisitionState& state, const StepOptions& options, const
       scan.view.mesh = nullptr;
       scan.prepared.reset();
     } else if (isKnown) {
-      scan.record.registration = *found;
+      scan.record.registration =
+          noBetterThanOthers(state, *found, prepared.back().surface, options.registration, progress);
       scan.view.T_object_scanner = found->T_object_scanner;
     }
     changed = changed || contradiction || isKnown;

@@ -43,7 +43,7 @@ bool waitsForMore(const RegistrationResult& registration) {
 // The pose of a doubtful view that all others together hold as firmly as a good one is certain.
 void liftDoubt(KeptScan& scan, const ViewSurface& surface, double poseSigma, const StepOptions& options) {
   RegistrationResult& registration = scan.record.registration;
-  if (!waitsForMore(registration) || isLoose(scan)) return;
+  if (!waitsForMore(registration) || turnedByGuess(*scan.view.image)) return;
   if (poseSigma > *resolved(options.registration, scaleOf(surface)).limits.maxPoseSigma) return;
   registration.verdict = Verdict::Good;
   registration.finding = {VerdictReason::HeldByAll, std::nullopt, {}};
