@@ -62,7 +62,7 @@ TEST(StandsHtml, SaysNothingOfAnObjectThatWasNotTurnedOver) {
 TEST(StandsHtml, SaysOfEveryStandWhatCameOfItAndWhoDecided) {
   const std::string html = standsHtml(manyStands(), {});
   EXPECT_TRUE(contains(html, "<h2>Stands</h2>"));
-  EXPECT_TRUE(contains(html, "1 view in the model. The first stand"));
+  EXPECT_TRUE(contains(html, "1 view in the model. The reference"));
   EXPECT_TRUE(contains(html,
                        "1 view in the model, 1 not used. Verdict ambiguous: 2 poses are possible. Pose 2, decided "
                        "by the evidence."));
