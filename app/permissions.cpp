@@ -24,9 +24,9 @@ std::optional<Refusal> refusalOfScan(const SharedState& now) {
 
 // Whether the object has a model, in work or set aside.
 bool hasObject(const AcquisitionState& state) {
-  if (compositeInWork(state) == objectComposite(state)) return state.model != nullptr;
+  if (compositeInWork(state) == referenceOf(state.stands)) return state.model != nullptr;
   return std::any_of(state.aside.begin(), state.aside.end(),
-                     [&](const ModelAside& aside) { return aside.composite == objectComposite(state); });
+                     [&](const ModelAside& aside) { return aside.composite == referenceOf(state.stands); });
 }
 
 }  // namespace

@@ -67,7 +67,7 @@ QString refusalText(const Refusal& refusal) {
     case RefusalReason::PoseContradicted:
       return Text::tr("Something speaks against pose %1.").arg(number);
     case RefusalReason::StandsTogether:
-      return Text::tr("Several stands make the object already.");
+      return Text::tr("Several stands make the object already. Undo what put them together first.");
     case RefusalReason::OtherStand:
       break;
   }

@@ -83,7 +83,7 @@ QString standSentence(const std::vector<Stand>& stands, int stand) {
 
 QString ownModelText(const AcquisitionState& state) {
   const int composite = compositeInWork(state);
-  return composite == objectComposite(state)
+  return composite == referenceOf(state.stands)
              ? QString()
              : Text::tr("Stand %1, not put together with the object yet").arg(composite);
 }

@@ -65,7 +65,7 @@ void throwRefusal(const Refusal& refusal) {
     case RefusalReason::PoseContradicted:
       throw InvalidInput("something speaks against pose " + number + ": it can only be used in spite of that");
     case RefusalReason::StandsTogether:
-      throw InvalidInput("several stands make the object already: it is known by the first of them");
+      throw InvalidInput("several stands make the object already: undo what put them together first");
     case RefusalReason::OtherStand:
       break;
   }

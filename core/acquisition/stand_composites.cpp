@@ -41,16 +41,12 @@ int referenceOf(const std::vector<Stand>& stands) {
   return known == stands.end() ? 0 : static_cast<int>(known - stands.begin());
 }
 
-int objectComposite(const AcquisitionState& state) {
-  return referenceOf(state.stands);
-}
-
 bool isOfObject(const AcquisitionState& state, int stand) {
   return state.stands[static_cast<std::size_t>(stand)].T_object_table.has_value();
 }
 
 int compositeOf(const AcquisitionState& state, int stand) {
-  return isOfObject(state, stand) ? objectComposite(state) : stand;
+  return isOfObject(state, stand) ? referenceOf(state.stands) : stand;
 }
 
 std::optional<Vec3> sideMeant(const AcquisitionState& state, int stand) {
@@ -85,7 +81,7 @@ AcquisitionState withComposite(const AcquisitionState& state, int composite) {
 }
 
 AcquisitionState withObject(const AcquisitionState& state) {
-  return withComposite(state, objectComposite(state));
+  return withComposite(state, referenceOf(state.stands));
 }
 
 std::vector<int> standsToAlign(const AcquisitionState& state) {

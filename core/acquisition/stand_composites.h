@@ -14,12 +14,9 @@ namespace vantage {
 /// composite the state has views (ScanStatus::In), model and plan: that of the stand of now. The views of the others
 /// are set aside (ScanStatus::Aside), and so are their models (AcquisitionState::aside).
 
-/// The stand that the object is known by: the first one whose pose is known. The object's frame is that of its table.
+/// The stand that the object is known by: the first one whose pose is known. The object's frame is that of its table,
+/// and its number is that of the object's composite: of this stand and all that are known relative to it.
 [[nodiscard]] int referenceOf(const std::vector<Stand>& stands);
-
-/// The object: the composite of the reference and of all stands that are known relative to it, numbered by the
-/// reference.
-[[nodiscard]] int objectComposite(const AcquisitionState& state);
 
 /// Whether it is known how the object stands in a stand.
 [[nodiscard]] bool isOfObject(const AcquisitionState& state, int stand);

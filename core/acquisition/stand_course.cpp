@@ -62,7 +62,7 @@ std::optional<int> betterReference(const AcquisitionState& state) {
     return one.model ? area(one.model->mesh) : 0.0;
   };
   std::optional<int> best;
-  double most = kMuchMore * areaOf(objectComposite(state));
+  double most = kMuchMore * areaOf(referenceOf(state.stands));
   for (const int stand : standsToAlign(state)) {
     const auto& alignment = state.stands[static_cast<std::size_t>(stand)].alignment;
     if (!alignment || alignment->verdict != AlignmentVerdict::Failed || TakeReference{stand}.mayDo(state)) continue;

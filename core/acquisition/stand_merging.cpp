@@ -17,6 +17,22 @@ void moveBy(KeptScan& scan, const Pose& T_new_old) {
   scan.record.registration.T_object_scanner = T_new_old * scan.record.registration.T_object_scanner;
 }
 
+// What an alignment says of the other of the two. How far the surfaces agree it says of both already.
+StandAlignment seenFromOther(StandAlignment alignment) {
+  for (StandPose& pose : alignment.candidates) pose.T_object_stand = pose.T_object_stand.inverse();
+  return alignment;
+}
+
+// A stand that came before the reference is the reference from now on: what was found when the two were aligned is
+// said of the one that was it before.
+void handOverReference(AcquisitionState& state, int before, int now) {
+  auto& alignment = state.stands[static_cast<std::size_t>(now)].alignment;
+  if (alignment)
+    state.stands[static_cast<std::size_t>(before)].alignment =
+        std::make_shared<const StandAlignment>(seenFromOther(*alignment));
+  alignment = nullptr;
+}
+
 // The object in the frame of the table in a stand that is known.
 void expressIn(AcquisitionState& state, int stand) {
   const Pose T_new_old = state.stands[static_cast<std::size_t>(stand)].T_object_table->inverse();
@@ -88,6 +104,7 @@ void placeOthers(AcquisitionState& state, int stand, const StepOptions& options,
 AcquisitionState mergedStand(const AcquisitionState& state, int stand, const Pose& T_object_table,
                              const std::vector<Pose>& poses, const StepOptions& options, const Progress& progress) {
   AcquisitionState next = withObject(state);
+  const int reference = referenceOf(next.stands);
   const std::vector<std::size_t> views = takeIn(next, stand, T_object_table);
   next.plan = nullptr;
   if (!views.empty()) {
@@ -101,8 +118,10 @@ AcquisitionState mergedStand(const AcquisitionState& state, int stand, const Pos
     if (after.matrix() != before.matrix())
       next.stands[static_cast<std::size_t>(stand)].T_object_table = after * before.inverse() * T_object_table;
   }
-  // One that came before the reference is the reference now.
-  if (referenceOf(next.stands) == stand) expressIn(next, stand);
+  if (referenceOf(next.stands) != reference) {
+    handOverReference(next, reference, stand);
+    expressIn(next, stand);
+  }
   if (!views.empty()) next.model = integrateViews(viewsOf(next), options, progress.part(0.4, 0.7));
   placeOthers(next, stand, options, progress.part(0.7, 1.0));
   return withComposite(next, compositeOf(next, next.stand()));

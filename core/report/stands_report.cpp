@@ -73,7 +73,7 @@ Json standsJson(const AcquisitionState& state) {
     }
     if (index == referenceOf(state.stands)) {
       json["verdict"] = "reference";
-      json["reason_code"] = "first_stand";
+      json["reason_code"] = index == 0 ? "first_stand" : "taken_as_reference";
       json["candidates"] = Json::array();
     } else if (stand.alignment) {
       json.update(alignmentJson(*stand.alignment));

@@ -255,7 +255,7 @@ Overlay ModelScene::overlay() const {
   const auto& state = *snapshot_->state;
   const std::vector<View>& views = snapshot_->views;
   const int composite = compositeInWork(state);
-  const bool isObject = composite == objectComposite(state);
+  const bool isObject = composite == referenceOf(state.stands);
   if (isBefore()) {
     overlay.notes << Text::tr("Before the first scan");
     if (snapshot_->proposed()) overlay.notes << Text::tr("The scanner at position %1").arg(*snapshot_->proposed());

@@ -11,6 +11,8 @@
 #include "acquisition/stand_course.h"
 #include "acquisition/stand_merging.h"
 #include "core/io/expect_error.h"
+#include "report/stands_html.h"
+#include "report/stands_report.h"
 #include "scanner/simulated_stand.h"
 #include "session/session.h"
 #include "session/session_schema.h"
@@ -85,7 +87,7 @@ TEST_F(CompositeStands, AreAcquiredAsAFirstStandIs) {
   EXPECT_EQ(state.stands[1].down, kDown);
   EXPECT_TRUE(state.plan);
   const AcquisitionState object = withObject(state);
-  EXPECT_EQ(compositeInWork(object), objectComposite(object));
+  EXPECT_EQ(compositeInWork(object), referenceOf(object.stands));
   EXPECT_EQ(object.model, state.aside[0].model);
   EXPECT_FALSE(object.plan);
   const AcquisitionState back = withComposite(object, 1);
@@ -120,6 +122,14 @@ TEST_F(CompositeStands, ThatAreAlignedBecomePartOfTheObject) {
   EXPECT_LT(worstError(state), 1.0);
   ASSERT_TRUE(state.stands[1].T_object_table);
   EXPECT_TRUE(state.stands[1].T_object_table->isApprox(standOf(1).inverse(), 0.02));
+  // What was found is said of the one that is no reference any more.
+  EXPECT_FALSE(state.stands[0].alignment);
+  ASSERT_TRUE(state.stands[1].alignment);
+  EXPECT_EQ(state.stands[1].alignment->verdict, AlignmentVerdict::Good);
+  const StandPose& used = state.stands[1].alignment->candidates.at(state.stands[1].alignment->used.value());
+  EXPECT_TRUE(used.T_object_stand.isApprox(*state.stands[1].T_object_table, 0.02));
+  EXPECT_NE(standsHtml(state, {}).find("Verdict good"), std::string::npos);
+  EXPECT_EQ(standsJson(state)[1]["verdict"], "good");
   EXPECT_EQ(state.stands[1].alignment->used, 0);
   // The table goes on from where it is, for what the whole object lacks.
   ASSERT_TRUE(state.plan);
@@ -193,7 +203,6 @@ TEST_F(CompositeStands, TheObjectIsKnownByTheStandThatShowsMost) {
   EXPECT_TRUE(alignStands(failing, true));
   AcquisitionState state = *journal.state();
   EXPECT_EQ(referenceOf(state.stands), 1);
-  EXPECT_EQ(objectComposite(state), 1);
   EXPECT_FALSE(isOfObject(state, 0));
   EXPECT_EQ(standsToAlign(state), std::vector<int>{0});
   EXPECT_EQ(countScans(state, ScanStatus::In), 5U);
@@ -215,6 +224,14 @@ TEST_F(CompositeStands, TheObjectIsKnownByTheStandThatShowsMost) {
   EXPECT_EQ(referenceOf(state.stands), 0);
   EXPECT_EQ(state.stands[0].T_object_table->matrix(), Pose::Identity().matrix());
   EXPECT_TRUE(state.stands[1].T_object_table->isApprox(standOf(1).inverse(), 0.02));
+  // What was found is said of the one that is no reference any more.
+  EXPECT_FALSE(state.stands[0].alignment);
+  ASSERT_TRUE(state.stands[1].alignment);
+  EXPECT_EQ(state.stands[1].alignment->verdict, AlignmentVerdict::Good);
+  const StandPose& used = state.stands[1].alignment->candidates.at(state.stands[1].alignment->used.value());
+  EXPECT_TRUE(used.T_object_stand.isApprox(*state.stands[1].T_object_table, 0.02));
+  EXPECT_NE(standsHtml(state, {}).find("Verdict good"), std::string::npos);
+  EXPECT_EQ(standsJson(state)[1]["verdict"], "good");
   EXPECT_EQ(countScans(state, ScanStatus::In), 6U);
   EXPECT_TRUE(state.aside.empty());
   EXPECT_LT(worstError(state), 1.0);
