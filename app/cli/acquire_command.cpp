@@ -94,7 +94,7 @@ void run(const AcquireArguments& given, CommandContext& context) {
   std::shared_ptr<const Mesh> object;
   if (simulated) object = std::make_shared<const Mesh>(placeObject(args, *profile, context));
   NewFolder folder(args.out);
-  const DeviceRun with{file.rig, object, args.reading.options(), args.events, args.course};
+  const DeviceRun with{file.rig, object, args.reading.options(), args.events, args.course, {}};
   workOnNewSession({session, args.replace, true, {source, args.settings, object.get(), profile}}, context,
                    [&](Session& made) { runDevices(made, with, args.out, context); });
   folder.keep();

@@ -14,6 +14,7 @@
 #include "planning/choice.h"
 #include "positional_space/scanner_images_cache.h"
 #include "program/user_folders.h"
+#include "program/version.h"
 #include "report/memory_note.h"
 #include "report/report.h"
 #include "report/wording.h"
