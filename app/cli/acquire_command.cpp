@@ -75,7 +75,7 @@ StandCourse courseFrom(const std::string& text) {
   }
 }
 
-void run(const AcquireArguments& given, CommandContext& context) {
+void runAcquire(const AcquireArguments& given, CommandContext& context) {
   AcquireArguments args = given;
   const RigFile file = args.rig.described();
   const bool simulated = isSimulated(file.rig);
@@ -130,7 +130,7 @@ void addAcquireCommand(CLI::App& app, CommandContext& context) {
   context.addCommonOptions(*command);
   command->callback([args, &context] {
     static_cast<void>(args->given.applied({}));  // what is wrong in itself is wrong use
-    run(*args, context);
+    runAcquire(*args, context);
   });
 }
 

@@ -83,7 +83,7 @@ void announce(const AcquisitionState& state, CommandContext& context) {
   context.result({{"views", countScans(object, ScanStatus::In)}, {"stands", standsJson(state)}}, text, warnings);
 }
 
-void run(const AlignArguments& args, CommandContext& context) {
+void runAlign(const AlignArguments& args, CommandContext& context) {
   Session session = openSession(args.session, SessionAccess::Write, context);
   const int stand = standOf(args, *session.state());
   Acquisition acquisition(session, toolsFor(session, context));
@@ -114,7 +114,7 @@ void addAlignCommand(CLI::App& app, CommandContext& context) {
                    "Begin with points that lie in the same places (JSON): three pairs or more of on_object, on_stand")
       ->excludes(choose);
   context.addCommonOptions(*command);
-  command->callback([args, &context] { run(*args, context); });
+  command->callback([args, &context] { runAlign(*args, context); });
 }
 
 }  // namespace vantage

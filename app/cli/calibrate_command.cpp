@@ -98,7 +98,7 @@ std::vector<Remark> remarksOf(const CalibrationResult& result) {
   return remarks;
 }
 
-void run(const CalibrateArguments& args, CommandContext& context) {
+void runCalibrate(const CalibrateArguments& args, CommandContext& context) {
   std::vector<std::string> inputs = args.ranges;
   inputs.push_back(args.scanner);
   checkOutput(args.out, OutputKind::Json, inputs);
@@ -137,7 +137,7 @@ void addCalibrateCommand(CLI::App& app, CommandContext& context) {
       ->delimiter(',');
   args->reading.addTo(*command);
   context.addCommonOptions(*command);
-  command->callback([args, &context] { run(*args, context); });
+  command->callback([args, &context] { runCalibrate(*args, context); });
 }
 
 }  // namespace vantage

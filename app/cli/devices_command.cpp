@@ -24,7 +24,7 @@ std::string textOf(const ListedDevice& device) {
   return text + "\n    " + plainText(device.answer) + "\n";
 }
 
-void run(const std::string& port, CommandContext& context) {
+void listDevices(const std::string& port, CommandContext& context) {
   // Every kind of device adds its rows here.
   std::vector<ListedDevice> devices = listSerialPorts(port, context.progress());
   if (port.empty())
@@ -48,7 +48,7 @@ void addDevicesCommand(CLI::App& app, CommandContext& context) {
       "devices", "List what is connected, what answers and with which protocol; asking resets most turntables");
   command->add_option("--port", *port, "Ask this serial port only, also one that is in no list");
   context.addCommonOptions(*command);
-  command->callback([port, &context] { run(*port, context); });
+  command->callback([port, &context] { listDevices(*port, context); });
 }
 
 }  // namespace vantage

@@ -35,7 +35,7 @@ AcquiredModel loadModel(const std::string& path, CommandContext& context) {
   return {state->model->mesh, {state->settings.simulation.placement, state->settings.simulation.unit}};
 }
 
-void run(const EvaluateArguments& args, CommandContext& context) {
+void runEvaluate(const EvaluateArguments& args, CommandContext& context) {
   const ScannerProfile profile = loadProfile(args.scanner);
   const AcquiredModel model = loadModel(args.model, context);
   PlacementOptions placement = model.placement;
@@ -71,7 +71,7 @@ void addEvaluateCommand(CLI::App& app, CommandContext& context) {
   command->add_option("--place", args->placement, "How the object was placed; unset: as the session says")
       ->check(CLI::IsMember({"as-is", "fit"}));
   context.addCommonOptions(*command);
-  command->callback([args, &context] { run(*args, context); });
+  command->callback([args, &context] { runEvaluate(*args, context); });
 }
 
 }  // namespace vantage

@@ -68,7 +68,7 @@ FinishedModel finished(const Model& model, const ExportArguments& args, const Pr
   return finished;
 }
 
-void run(const ExportArguments& args, CommandContext& context) {
+void runExport(const ExportArguments& args, CommandContext& context) {
   checkOutput(args.out, OutputKind::Mesh, std::vector{args.session});
   const SessionModel read = readSessionModel(args.session, context);
   const Progress progress = context.progress();
@@ -125,7 +125,7 @@ void addExportCommand(CLI::App& app, CommandContext& context) {
   command->add_option("--out", args->out, "File to write: .ply, .stl, .obj or .3mf")->required();
   args->finishing.addTo(*command);
   context.addCommonOptions(*command);
-  command->callback([args, &context] { run(*args, context); });
+  command->callback([args, &context] { runExport(*args, context); });
 }
 
 }  // namespace vantage

@@ -53,7 +53,7 @@ void checkPlace(const ImportArguments& args) {
   }
 }
 
-void run(const ImportArguments& args, CommandContext& context) {
+void runImport(const ImportArguments& args, CommandContext& context) {
   std::optional<ProfileSource> source;
   std::shared_ptr<const ScannerProfile> profile;
   if (args.scanner != "generic") {
@@ -110,7 +110,7 @@ void addImportCommand(CLI::App& app, CommandContext& context) {
   args->reading.addTo(*command);
   args->given.addTo(*command);
   context.addCommonOptions(*command);
-  command->callback([args, &context] { run(*args, context); });
+  command->callback([args, &context] { runImport(*args, context); });
 }
 
 }  // namespace vantage

@@ -47,7 +47,7 @@ void addSessionFacts(const std::string& path, CommandContext& context, FileInfo&
   info.facts.emplace_back("damages", std::int64_t{std::count_if(losses.begin(), losses.end(), isDamage)});
 }
 
-void run(const std::string& path, CommandContext& context) {
+void runInfo(const std::string& path, CommandContext& context) {
   FileInfo info = describeFile(path, context.progress());
   if (info.content == FileContent::Session) addSessionFacts(path, context, info);
   nlohmann::ordered_json json{{"file", path}, {"kind", nameOf(info.content)}};
@@ -66,7 +66,7 @@ void addInfoCommand(CLI::App& app, CommandContext& context) {
   CLI::App* command = app.add_subcommand("info", "Say what a mesh, range file, profile or session is");
   command->add_option("file", *path, "File to describe")->required();
   context.addCommonOptions(*command);
-  command->callback([path, &context] { run(*path, context); });
+  command->callback([path, &context] { runInfo(*path, context); });
 }
 
 }  // namespace vantage

@@ -145,7 +145,7 @@ void addSection(const MeasureArguments& args, const Mesh& mesh, nlohmann::ordere
   if (section.area) json["section"]["area_mm2"] = *section.area;
 }
 
-void run(const MeasureArguments& args, CommandContext& context) {
+void runMeasure(const MeasureArguments& args, CommandContext& context) {
   if (!args.plane.empty() && args.points.empty())
     throw InvalidInput("distances to a plane need points: name them with --points");
   const Measured measured = load(args.model, context);
@@ -176,7 +176,7 @@ void addMeasureCommand(CLI::App& app, CommandContext& context) {
   command->add_option("--section", args->section, "Plane NX,NY,NZ,D that cuts the surface: length, area, circles")
       ->check(planeText());
   context.addCommonOptions(*command);
-  command->callback([args, &context] { run(*args, context); });
+  command->callback([args, &context] { runMeasure(*args, context); });
 }
 
 }  // namespace vantage

@@ -53,7 +53,7 @@ std::string optionsListing(const AcquisitionSettings& settings) {
   return text;
 }
 
-void run(const OptionsArguments& args, CommandContext& context) {
+void runOptions(const OptionsArguments& args, CommandContext& context) {
   AcquisitionSettings settings;
   if (!args.session.empty()) settings = readSession(args.session, context)->settings;
   settings = args.settings.applied(std::move(settings));
@@ -76,7 +76,7 @@ void addOptionsCommand(CLI::App& app, CommandContext& context) {
   command->add_option("--write", args->write, "File (JSON) to write the options to, for --options");
   args->settings.addTo(*command);
   context.addCommonOptions(*command);
-  command->callback([args, &context] { run(*args, context); });
+  command->callback([args, &context] { runOptions(*args, context); });
 }
 
 }  // namespace vantage

@@ -66,7 +66,7 @@ std::string planText(const Plan& plan, const PlanArguments& args) {
   return text;
 }
 
-void run(const PlanArguments& args, CommandContext& context) {
+void runPlan(const PlanArguments& args, CommandContext& context) {
   const auto state = readSession(args.session, context);
   const auto& profile = state->profile;
   if (!profile)
@@ -95,7 +95,7 @@ void addPlanCommand(CLI::App& app, CommandContext& context) {
   command->add_flag("--why", args->why, "Give the score of every position and what bound it");
   command->add_option("--position", args->position, "Explain this position");
   context.addCommonOptions(*command);
-  command->callback([args, &context] { run(*args, context); });
+  command->callback([args, &context] { runPlan(*args, context); });
 }
 
 }  // namespace vantage

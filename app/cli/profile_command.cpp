@@ -32,7 +32,7 @@ std::string rayFileOf(const std::string& out) {
   return std::filesystem::path(out).stem().string() + "_rays.csv";
 }
 
-void run(const ProfileArguments& args, CommandContext& context) {
+void runProfile(const ProfileArguments& args, CommandContext& context) {
   checkOutput(args.out, OutputKind::Json, args.ranges);
   const std::string rayFile = rayFileOf(args.out);
   const std::string rayPath = (std::filesystem::path(args.out).parent_path() / rayFile).string();
@@ -95,7 +95,7 @@ void addProfileCommand(CLI::App& app, CommandContext& context) {
       ->capture_default_str();
   args->reading.addTo(*command);
   context.addCommonOptions(*command);
-  command->callback([args, &context] { run(*args, context); });
+  command->callback([args, &context] { runProfile(*args, context); });
 }
 
 }  // namespace vantage

@@ -142,7 +142,7 @@ void writePicture(const QImage& picture, const std::string& path) {
   writeTextFile(path, bytes.toStdString());
 }
 
-void run(const RenderArguments& args, CommandContext& context) {
+void runRender(const RenderArguments& args, CommandContext& context) {
   const QSize size = parseSize(args.size);
   const Theme& theme = args.dark ? darkTheme() : lightTheme();
   checkOutput(args.out, OutputKind::Picture, std::vector{args.session});
@@ -166,7 +166,7 @@ void addRenderCommand(CLI::App& app, CommandContext& context) {
   const auto args = std::make_shared<RenderArguments>();
   CLI::App* command = args->addTo(app);
   context.addCommonOptions(*command);
-  command->callback([args, &context] { run(*args, context); });
+  command->callback([args, &context] { runRender(*args, context); });
 }
 
 }  // namespace vantage

@@ -37,7 +37,7 @@ std::vector<ReportPicture> modelPictures(const std::shared_ptr<const Acquisition
   return pictures;
 }
 
-void run(const ReportArguments& args, CommandContext& context) {
+void runReport(const ReportArguments& args, CommandContext& context) {
   checkOutput(args.out, OutputKind::Report, std::vector{args.session});
   const auto state = readObject(args.session, context);
   HtmlReportOptions options;
@@ -57,7 +57,7 @@ void addReportCommand(CLI::App& app, CommandContext& context) {
   const auto args = std::make_shared<ReportArguments>();
   CLI::App* command = args->addTo(app);
   context.addCommonOptions(*command);
-  command->callback([args, &context] { run(*args, context); });
+  command->callback([args, &context] { runReport(*args, context); });
 }
 
 }  // namespace vantage

@@ -58,7 +58,7 @@ void checkPositions(const ResumeArguments& args, const ScannerProfile& profile) 
                          ", the workspace has positions 0 to " + std::to_string(count - 1));
 }
 
-void run(const ResumeArguments& args, CommandContext& context) {
+void runResume(const ResumeArguments& args, CommandContext& context) {
   Session session = openSession(args.session, SessionAccess::Write, context);
   const auto import = interruptedImport(session);
   if (import && !args.out.empty())
@@ -104,7 +104,7 @@ void addResumeCommand(CLI::App& app, CommandContext& context) {
   args->given.addShorthand(*command, "--max-views", "max_views");
   args->given.addShorthand(*command, "--tolerance", "planner.tolerance");
   context.addCommonOptions(*command);
-  command->callback([args, &context] { run(*args, context); });
+  command->callback([args, &context] { runResume(*args, context); });
 }
 
 }  // namespace vantage

@@ -59,7 +59,7 @@ std::string wayOn(const std::string& session, const AcquisitionState& state) {
   return text;
 }
 
-void run(const StepArguments& args, CommandContext& context) {
+void runStep(const StepArguments& args, CommandContext& context) {
   Session session = openSession(args.session, SessionAccess::Write, context);
   if (!args.given.empty()) changeSettings(session, args.given.appliedToSession(session.state()->settings), context);
   const Progress progress = context.progress();
@@ -95,7 +95,7 @@ void addStepCommand(CLI::App& app, CommandContext& context) {
   args->reading.addTo(*command);
   args->given.addTo(*command);
   context.addCommonOptions(*command);
-  command->callback([args, &context] { run(*args, context); });
+  command->callback([args, &context] { runStep(*args, context); });
 }
 
 }  // namespace vantage

@@ -40,7 +40,7 @@ double turnMeant(const TakeArguments& args, const AcquisitionState& state, const
                                     : " fits at " + fits + " degrees: say with --table-deg where the table stood"));
 }
 
-void run(const TakeArguments& args, CommandContext& context) {
+void runTake(const TakeArguments& args, CommandContext& context) {
   Session session = openSession(args.session, SessionAccess::Write, context);
   const auto before = session.state();
   const KeptScan& scan = scanMeant(args, *before);
@@ -78,7 +78,7 @@ void addTakeCommand(CLI::App& app, CommandContext& context) {
                       "Where the table stood [deg from the first position, counter-clockwise seen from above]; needed "
                       "only where the scan fits in several places");
   context.addCommonOptions(*command);
-  command->callback([args, &context] { run(*args, context); });
+  command->callback([args, &context] { runTake(*args, context); });
 }
 
 }  // namespace vantage
