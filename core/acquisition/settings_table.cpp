@@ -121,6 +121,24 @@ std::vector<SettingField> planningFields() {
       number<&Settings::planner, &Planner::probeShare>(
           Expert, "planner.probe_share", "Share worth a probe", "", 0, 1, "0.5",
           "After a view that showed enough, a forecast of this share of the termination threshold is tried; 1 never."),
+      number<&Settings::planner, &Planner::surfaceOffset>(
+          Expert, "planner.surface_offset", "Offset from the surface", "samples", 0, 100, "0.25",
+          "Lines of sight and observation rays begin this far in front of the surface."),
+      number<&Settings::planner, &Planner::sightMargin>(
+          Expert, "planner.sight_margin", "Margin of sight", "samples", 0, 100, "0.5",
+          "What blocks a line of sight within this distance of either end does not count."),
+      number<&Settings::planner, &Planner::tracedPositions>(
+          Expert, "planner.traced_positions", "Traced positions", "", 1, 10000, "16",
+          "So many positions at a time are judged with the scanner's own rays."),
+      number<&Settings::planner, &Planner::planningTriangles>(
+          Expert, "planner.planning_triangles", "Planning triangles", "", 1, kMostPoints, "30000",
+          "So many triangles stand for the model's surface when it is projected into positional space."),
+      number<&Settings::planner, &Planner::tracedTriangles>(
+          Expert, "planner.traced_triangles", "Traced triangles", "", 1, kMostPoints, "300000",
+          "A model of more triangles than this is decimated before rays are traced through it."),
+      number<&Settings::planner, &Planner::planningError>(Expert, "planner.planning_error", "Error of decimation", "mm",
+                                                          0, 100, "0.1",
+                                                          "The decimated model is off by no more than this."),
       number<&Settings::planner, &Planner::closing, &Closing::side>(
           Expert, "closing.side", "Side of a voxel", "samples", 0.1, 1000, "2.5",
           "Unseen space is divided into voxels of this side."),
@@ -153,24 +171,6 @@ std::vector<SettingField> planningFields() {
           "Share of what is forecast that is found, as far as is known beforehand."),
       number<&Settings::planner, &Planner::ledger, &Ledger::priorSpread>(
           Expert, "ledger.prior_spread", "Spread beforehand", "", 0, 10, "0.5", "Standard deviation of that share."),
-      number<&Settings::planner, &Planner::surfaceOffset>(
-          Expert, "planner.surface_offset", "Offset from the surface", "samples", 0, 100, "0.25",
-          "Lines of sight and observation rays begin this far in front of the surface."),
-      number<&Settings::planner, &Planner::sightMargin>(
-          Expert, "planner.sight_margin", "Margin of sight", "samples", 0, 100, "0.5",
-          "What blocks a line of sight within this distance of either end does not count."),
-      number<&Settings::planner, &Planner::tracedPositions>(
-          Expert, "planner.traced_positions", "Traced positions", "", 1, 10000, "16",
-          "So many positions at a time are judged with the scanner's own rays."),
-      number<&Settings::planner, &Planner::planningTriangles>(
-          Expert, "planner.planning_triangles", "Planning triangles", "", 1, kMostPoints, "30000",
-          "So many triangles stand for the model's surface when it is projected into positional space."),
-      number<&Settings::planner, &Planner::tracedTriangles>(
-          Expert, "planner.traced_triangles", "Traced triangles", "", 1, kMostPoints, "300000",
-          "A model of more triangles than this is decimated before rays are traced through it."),
-      number<&Settings::planner, &Planner::planningError>(Expert, "planner.planning_error", "Error of decimation", "mm",
-                                                          0, 100, "0.1",
-                                                          "The decimated model is off by no more than this."),
       number<&Settings::planner, &Planner::termination, &End::threshold>(
           Expert, "termination.threshold", "Termination threshold", "mm2", 0, 1e9, "auto",
           "A view must promise at least this area of void, in the place of edges and share."),

@@ -12,6 +12,7 @@
 #include "base/errors.h"
 #include "geometry/measures.h"
 #include "integration/zipper.h"
+#include "registration/closed_loops.h"
 #include "registration/prepared_refinement.h"
 #include "registration/registration_scale.h"
 
@@ -48,6 +49,34 @@ void liftDoubt(KeptScan& scan, const ViewSurface& surface, double poseSigma, con
   registration.verdict = Verdict::Good;
   registration.finding = {VerdictReason::HeldByAll, std::nullopt, {}};
   registration.poseSigma = poseSigma;
+}
+
+// Views that a person turned fit only together with doubtful ones as long as they are a chain; once it closes, an error
+// of one link would show.
+void liftClosedLoops(AcquisitionState& state, const std::vector<PreparedView>& prepared, const StepOptions& options,
+                     const Progress& progress) {
+  std::vector<KeptScan*> open;
+  std::vector<Pose> poses;
+  std::vector<bool> known;
+  std::vector<bool> wanted;
+  for (KeptScan& scan : state.scans) {
+    if (scan.status != ScanStatus::In) continue;
+    const RegistrationResult& registration = scan.record.registration;
+    const bool waits = waitsForMore(registration) && turnedByGuess(*scan.view.image) && !isLoose(scan);
+    open.push_back(waits ? &scan : nullptr);
+    poses.push_back(scan.view.T_object_scanner);
+    known.push_back(registration.verdict == Verdict::Good);
+    wanted.push_back(waits || known.back());
+  }
+  if (std::all_of(open.begin(), open.end(), [](const KeptScan* scan) { return !scan; })) return;
+  IcpOptions free = options.registration;
+  free.prior.reset();
+  const std::vector<bool> held = heldByLoops(tiesAmong(prepared, poses, wanted, free, progress), known);
+  for (std::size_t i = 0; i < open.size(); ++i) {
+    if (!open[i] || !held[i]) continue;
+    open[i]->record.registration.verdict = Verdict::Good;
+    open[i]->record.registration.finding = {VerdictReason::HeldByAll, std::nullopt, {}};
+  }
 }
 
 void checkStation(const AcquisitionState& state, const KeptScan& scan) {
@@ -122,7 +151,7 @@ void refineModelViews(AcquisitionState& state, const StepOptions& options, const
   MultiViewOptions refinement = options.refinement;
   refinement.ties = tiesOf(state, options);
   tieLooseViews(state, refinement.ties);
-  const MultiViewResult refined = refinePrepared(views, prepared, refinement, progress.part(0.1, 1.0));
+  const MultiViewResult refined = refinePrepared(views, prepared, refinement, progress.part(0.1, 0.8));
   std::size_t i = 0;
   for (KeptScan& scan : state.scans) {
     if (scan.status != ScanStatus::In) continue;
@@ -130,6 +159,7 @@ void refineModelViews(AcquisitionState& state, const StepOptions& options, const
     liftDoubt(scan, prepared[i].surface, refined.poseSigmas[i], options);
     ++i;
   }
+  liftClosedLoops(state, prepared, options, progress.part(0.8, 1.0));
 }
 
 AcquisitionState addScan(const AcquisitionState& state, const NumberedScan& scan,

@@ -210,7 +210,7 @@ TEST(ReadModel, IsTheSameForAnyNumberOfThreads) {
 TEST(ExportMesh, RefusesUnknownExtensionsAndBrokenIndices) {
   const TemporaryFolder folder;
   expectError<InvalidInput>([&] { exportMesh(makeModel().mesh, folder.file("a.xyz")); },
-                            {"a.xyz", "'xyz'", ".ply, .stl or .obj"});
+                            {"a.xyz", "'xyz'", ".ply, .stl, .obj or .3mf"});
   Mesh mesh = makeModel().mesh;
   mesh.triangles[5][1] = 48;
   expectError<InvalidInput>([&] { exportMesh(mesh, folder.file("a.ply")); }, {"triangle 5", "vertex 48 of 48"});

@@ -42,7 +42,7 @@ TEST(ThreeMfWriter, ComesBackAsItWas) {
   EXPECT_EQ(back.mesh.triangles, box.triangles);
   ASSERT_EQ(back.mesh.vertices.size(), box.vertices.size());
   for (std::size_t v = 0; v < box.vertices.size(); ++v)
-    EXPECT_EQ(back.mesh.vertices[v], Vec3(box.vertices[v].cast<float>().cast<double>()));
+    EXPECT_EQ(back.mesh.vertices[v].cast<float>(), box.vertices[v].cast<float>());
   EXPECT_TRUE(back.repair.nothing());
 }
 

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "base/progress.h"
+#include "registration/icp.h"
+#include "registration/view_network.h"
+
+namespace vantage {
+
+/// Two views that fit each other where they are, without any third.
+using ViewTie = std::pair<std::size_t, std::size_t>;
+
+/// The ties among views at these poses: pairs of which one, registered with the other alone, is good and stays within
+/// the spacing of the samples of where it is.
+/// @param options without a prior: surface alone ties
+/// @param wanted one per view: nothing is tied to those without
+/// @throws Cancelled
+[[nodiscard]] std::vector<ViewTie> tiesAmong(std::span<const PreparedView> views, std::span<const Pose> poses,
+                                             const std::vector<bool>& wanted, const IcpOptions& options,
+                                             const Progress& progress);
+
+/// Which views closed loops hold: those that two ways of ties lead from to known views which have no tie in common. An
+/// error of one tie would keep such a loop from closing.
+/// @param known one per view; all of them count as one place
+/// @return one per view, true for the known ones
+[[nodiscard]] std::vector<bool> heldByLoops(std::span<const ViewTie> ties, const std::vector<bool>& known);
+
+}  // namespace vantage
