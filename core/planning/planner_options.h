@@ -49,15 +49,15 @@ struct PlannerOptions {
 
   /// o_v forecasts new surface: what closes the model where nobody has looked is predicted and projected beside the
   /// void patches, corrected by what the forecasts of the run were worth. Off: o_v is void patch area.
-  bool forecast = false;
+  bool forecast = true;
   /// Void patches count beside the predicted surface by so much of their weight: along the border of the model they
   /// rank what the voxels of the prediction are too coarse for.
   double patchShare = 0.3;
   /// F of a forecast is no less than this share of the model's area.
-  double forecastShare = 0.0012;
+  double forecastShare = 0.0016;
   /// When the last view showed more than F, a forecast of more than this share of F is worth one more: the prediction
   /// may miss what it has never seen. 1: never.
-  double probeShare = 0.5;
+  double probeShare = 0.7;
   ClosingOptions closing;
   LedgerOptions ledger;
 
