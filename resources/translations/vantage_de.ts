@@ -614,7 +614,7 @@
     </message>
     <message>
         <source>position %1, at %2: void %3, overlap %4</source>
-        <translation>Position %1, bei %2: Leerraum %3, Überlappung %4</translation>
+        <translation>Position %1, %2: o_v %3, o_s %4</translation>
     </message>
     <message>
         <source>, taken</source>
@@ -670,7 +670,7 @@
     </message>
     <message>
         <source>ruled out</source>
-        <translation>ausgeschlossen</translation>
+        <translation>gesperrt</translation>
     </message>
 </context>
 <context>
@@ -1549,7 +1549,7 @@
     <name>ReportPictures</name>
     <message>
         <source>Scan %1, position %2</source>
-        <translation>Scan %1, position %2</translation>
+        <translation>Scan %1, Position %2</translation>
     </message>
     <message>
         <source>Scan %1</source>
@@ -2746,7 +2746,7 @@ passte nicht</translation>
     <message>
         <source>Scan %1 · position %2
 +%3</source>
-        <translation>Scan %1 · position %2
+        <translation>Scan %1 · Position %2
 +%3</translation>
     </message>
 </context>
@@ -5755,7 +5755,7 @@ Apache-Lizenz 2.0. Erstellt mit Qt, VTK, Embree, Eigen, OpenMesh, assimp und SQL
     </message>
     <message>
         <source>It s&amp;tands on this side now: scan on</source>
-        <translation>Es lie&amp;gt jetzt auf dieser Seite: weiter scannen</translation>
+        <translation>Es liegt jetzt a&amp;uf dieser Seite: weiter scannen</translation>
     </message>
     <message>
         <source>Begin a new stand. What was scanned before is kept aside until it is known how the object was turned over.</source>

@@ -4036,7 +4036,7 @@ did not fit</source>
     </message>
     <message>
         <source>Into %1</source>
-        <translation>写到 %1</translation>
+        <translation>%1（写入位置）</translation>
     </message>
     <message>
         <source>An earlier moment is shown; written is the session as it is now.</source>

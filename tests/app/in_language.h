@@ -15,7 +15,7 @@ namespace vantage::testing {
   static const QRegularExpression kKeys(QStringLiteral("^((Ctrl|Alt|Shift)\\+)+\\S+$|^F\\d+$|\\(\\*"));
   if (text.isEmpty() || kKeys.match(text).hasMatch()) return text;
   const QString plain = QStringLiteral("aeiouAEIOU");
-  const QString accented = QStringLiteral("áèîöûÀÉÎÖÛ");
+  const QString accented = QStringLiteral("áèįöûÀÉĮÖÛ");
   QString changed;
   bool tag = false;
   for (qsizetype i = 0; i < text.size(); ++i) {
