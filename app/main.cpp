@@ -12,6 +12,7 @@
 #include "program/installed_files.h"
 #include "program/user_folders.h"
 #include "program/version.h"
+#include "settings/languages.h"
 
 namespace {
 
@@ -31,10 +32,10 @@ std::filesystem::path crashFolder() {
 
 void describeArguments(QCommandLineParser& parser) {
   parser.setApplicationDescription(
-      QObject::tr("The scanning workstation: scans an object from positions that it chooses itself."));
+      QStringLiteral("The scanning workstation: scans an object from positions that it chooses itself."));
   parser.addHelpOption();
   parser.addVersionOption();
-  parser.addPositionalArgument(QStringLiteral("session"), QObject::tr("Session to open, a .vantage file."),
+  parser.addPositionalArgument(QStringLiteral("session"), QStringLiteral("Session to open, a .vantage file."),
                                QStringLiteral("[S.vantage]"));
 }
 
@@ -80,6 +81,7 @@ int main(int argc, char** argv) {
   }
 
   const vantage::Preferences preferences = vantage::loadPreferences();
+  const vantage::Translation translation(preferences.language);
   vantage::ThreadedJobRunner jobs(preferences.threads > 0 ? preferences.threads : vantage::machineThreads());
   vantage::SessionController controller(jobs, vantage::cacheDirectory());
   const auto crash = vantage::untoldCrash(kProgram, crashFolder());
@@ -98,8 +100,7 @@ int main(int argc, char** argv) {
   if (crash) {
     vantage::tellCrashes(kProgram, crashFolder());
     auto* notice = new vantage::CrashNotice(*crash, &window);
-    QObject::connect(notice, &vantage::CrashNotice::sessionWanted, &window,
-                     &vantage::MainWindow::openSession);
+    QObject::connect(notice, &vantage::CrashNotice::sessionWanted, &window, &vantage::MainWindow::openSession);
     notice->open();
   }
   return QApplication::exec();

@@ -1,9 +1,10 @@
 #include "print_text.h"
 
 #include <QCoreApplication>
-#include <QLocale>
 #include <QStringList>
 #include <algorithm>
+
+#include "look/figures.h"
 
 namespace vantage {
 namespace {
@@ -16,17 +17,13 @@ int asInt(std::size_t count) {
   return static_cast<int>(std::min<std::size_t>(count, 1'000'000'000));
 }
 
-QString decimal(double value, int decimals) {
-  return QLocale().toString(value, 'f', decimals);
-}
-
 QString faultText(PrintFault fault, const PrintCheck& check) {
   switch (fault) {
     case PrintFault::Empty:
       return Text::tr("Nothing of it is left.");
     case PrintFault::Open:
       return Text::tr("It has %n opening(s), the widest %1 mm wide: close them all.", nullptr, asInt(check.openings))
-          .arg(decimal(check.widestOpening, 1));
+          .arg(figureText(check.widestOpening, 1));
     case PrintFault::NonManifold:
       return Text::tr("%n edge(s) have more than two triangles, or two that face opposite ways.", nullptr,
                       asInt(check.nonManifoldEdges));
@@ -54,17 +51,17 @@ QString finishingText(const FinishedModel& finished) {
   QStringList lines;
   if (finished.piecesLeftOut > 0)
     lines << Text::tr("%n loose piece(s) left out, %1 mm².", nullptr, asInt(finished.piecesLeftOut))
-                 .arg(decimal(finished.areaLeftOut, 1));
+                 .arg(figureText(finished.areaLeftOut, 1));
   if (!finished.closed.empty())
     lines << Text::tr("%n opening(s) closed: %1 mm² are invented, %2 mm² were measured.", nullptr,
                       asInt(finished.closed.size()))
-                 .arg(decimal(finished.inventedArea, 1), decimal(finished.measuredArea, 1));
+                 .arg(figureText(finished.inventedArea, 1), figureText(finished.measuredArea, 1));
   if (!finished.left.empty()) lines << Text::tr("%n opening(s) stayed open.", nullptr, asInt(finished.left.size()));
   if (finished.simplified)
     lines << Text::tr("%1 triangles, no farther than %2 mm from the model.")
-                 .arg(QLocale().toString(static_cast<qulonglong>(finished.model.mesh.triangles.size())),
-                      decimal(finished.simplified->error.greatest, 3));
-  lines << (finished.check.volume ? Text::tr("Closed, %1 cm³.").arg(decimal(*finished.check.volume / 1000.0, 2))
+                 .arg(figureText(static_cast<double>(finished.model.mesh.triangles.size())),
+                      figureText(finished.simplified->error.greatest, 3));
+  lines << (finished.check.volume ? Text::tr("Closed, %1 cm³.").arg(figureText(*finished.check.volume / 1000.0, 2))
                                   : Text::tr("Not closed: it encloses no volume."));
   return lines.join(QLatin1Char('\n'));
 }

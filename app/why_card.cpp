@@ -1,7 +1,6 @@
 #include "why_card.h"
 
 #include <QCoreApplication>
-#include <QLocale>
 #include <cmath>
 
 #include "report/wording.h"
@@ -74,7 +73,7 @@ void addVoid(WhyCard& card, const Explanation& why) {
     card.figures.push_back(
         {Text::tr("by positional space"), areaText(why.voidArea), Text::tr("before following the scanner's rays")});
   card.figures.push_back(
-      {Text::tr("Rank"), QString::number(why.rank), Text::tr("by what positions promise, ruled out or not")});
+      {Text::tr("Rank"), countText(why.rank), Text::tr("by what positions promise, ruled out or not")});
 }
 
 void addRegistration(WhyCard& card, const Explanation& why) {
@@ -94,8 +93,7 @@ void addPatches(WhyCard& card, const Explanation& why) {
   for (std::size_t i = 0; i < kEdgeClasses; ++i)
     if (why.patchesByClass[i] > 0)
       parts << QStringLiteral("%1 × %2").arg(why.patchesByClass[i]).arg(edgeClassText(static_cast<EdgeClass>(i)));
-  card.figures.push_back(
-      {Text::tr("Unseen edges it wins"), QString::number(why.patches), parts.join(QStringLiteral(", "))});
+  card.figures.push_back({Text::tr("Unseen edges it wins"), countText(why.patches), parts.join(QStringLiteral(", "))});
 }
 
 QString patchesText(std::size_t count) {
@@ -111,17 +109,6 @@ void addSights(WhyCard& card, const PositionSight& sight) {
       {Visibility::OutOfReach, QT_TRANSLATE_NOOP("WhyCard", "outside the sampling area")}};
   for (const auto& [visibility, text] : rows)
     card.sights.push_back({Text::tr(text), areaText(sight.area(visibility)), patchesText(sight.count(visibility))});
-}
-
-// Thousands apart, as everywhere in the window: from five digits on.
-QString grouped(QString number) {
-  constexpr qsizetype kFewest = 5;
-  const qsizetype first = number.startsWith(QLatin1Char('-')) ? 1 : 0;
-  const qsizetype point = number.indexOf(QLatin1Char('.'));
-  const qsizetype end = point < 0 ? number.size() : point;
-  if (end - first < kFewest) return number;
-  for (qsizetype i = end - 3; i > first; i -= 3) number.insert(i, QChar(0x202F));
-  return number;
 }
 
 QString difference(double value, double other, const QString& more, const QString& less) {
@@ -142,10 +129,6 @@ QString comparisonOf(const Explanation& why, bool planHolds) {
 
 QString countText(std::size_t count) {
   return figureText(static_cast<double>(count));
-}
-
-QString figureText(double value, int decimals) {
-  return grouped(QLocale::c().toString(value, 'f', decimals));
 }
 
 QString areaText(double squareMillimetres) {

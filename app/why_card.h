@@ -3,6 +3,7 @@
 #include <QString>
 #include <vector>
 
+#include "look/figures.h"
 #include "position_inspector.h"
 
 namespace vantage {
@@ -25,8 +26,6 @@ struct WhyCard {
 
 [[nodiscard]] WhyCard makeWhyCard(const PositionInsight& insight);
 
-/// A number for people: grouped digits, as many decimals as matter.
-[[nodiscard]] QString figureText(double value, int decimals = 0);
 /// How many there are of something.
 [[nodiscard]] QString countText(std::size_t count);
 /// An area with its unit.

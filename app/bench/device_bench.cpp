@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/errors.h"
+#include "look/figures.h"
 
 namespace vantage {
 namespace {
@@ -20,7 +21,7 @@ DeviceState stateOf(const QString& what, const Device& device) {
 
 // What a table says of its angle, in the words of who looks at it.
 QString standing(const TableAngle& angle) {
-  const QString degrees = QString::number(std::abs(angle.degrees) < 0.005 ? 0.0 : angle.degrees, 'f', 2);
+  const QString degrees = figureText(std::abs(angle.degrees) < 0.005 ? 0.0 : angle.degrees, 2);
   return angle.knownBy == PoseSource::Reported ? Text::tr("At rest at %1°, as it reports.").arg(degrees)
                                                : Text::tr("Told to stand at %1°; it does not report.").arg(degrees);
 }

@@ -19,10 +19,29 @@ QString stepText(const QString& step) {
       {"void_patches", QT_TRANSLATE_NOOP("JobPanel", "finding what is unseen")},
       {"project_void", QT_TRANSLATE_NOOP("JobPanel", "projecting what is unseen")},
       {"project_seen", QT_TRANSLATE_NOOP("JobPanel", "projecting what was seen")},
-      {"choose", QT_TRANSLATE_NOOP("JobPanel", "choosing the next view")}};
+      {"choose", QT_TRANSLATE_NOOP("JobPanel", "choosing the next view")},
+      {"zippering", QT_TRANSLATE_NOOP("JobPanel", "joining surfaces")},
+      {"consensus", QT_TRANSLATE_NOOP("JobPanel", "moving the surface to where the views agree")},
+      {"prepare", QT_TRANSLATE_NOOP("JobPanel", "preparing")},
+      {"search", QT_TRANSLATE_NOOP("JobPanel", "searching")},
+      {"check", QT_TRANSLATE_NOOP("JobPanel", "checking")},
+      {"calibrate", QT_TRANSLATE_NOOP("JobPanel", "finding the axis")},
+      {"close openings", QT_TRANSLATE_NOOP("JobPanel", "closing openings")},
+      {"simplify", QT_TRANSLATE_NOOP("JobPanel", "taking fewer triangles")},
+      {"read profile", QT_TRANSLATE_NOOP("JobPanel", "reading the profile")},
+      {"read object", QT_TRANSLATE_NOOP("JobPanel", "reading the object")},
+      {"read session", QT_TRANSLATE_NOOP("JobPanel", "reading the session")},
+      {"read scan", QT_TRANSLATE_NOOP("JobPanel", "reading the scan")},
+      {"read scans", QT_TRANSLATE_NOOP("JobPanel", "reading the scans")},
+      {"reading the scan", QT_TRANSLATE_NOOP("JobPanel", "reading the scan")},
+      {"reading a recorded scan", QT_TRANSLATE_NOOP("JobPanel", "reading a recorded scan")},
+      {"positional space of the scanner", QT_TRANSLATE_NOOP("JobPanel", "positional space of the scanner")}};
   for (const auto& [key, text] : kTexts)
     if (step == QLatin1String(key)) return QCoreApplication::translate("JobPanel", text);
-  return step;
+  // "reading scan_07.ply", as a folder that is watched says.
+  const QLatin1String reading("reading ");
+  return step.startsWith(reading) ? QCoreApplication::translate("JobPanel", "reading %1").arg(step.mid(reading.size()))
+                                  : step;
 }
 
 JobPanel::JobPanel(JobRunner& jobs, QWidget* parent)

@@ -66,6 +66,18 @@ QWidget* makeEditor(const typename Field<T>::Choice& field, T& values, const std
   return box;
 }
 
+template <typename T>
+QWidget* makeEditor(const typename Field<T>::Named& field, T& values, const std::function<void()>& changed) {
+  auto* box = new QComboBox;
+  for (qsizetype i = 0; i < field.codes.size(); ++i) box->addItem(field.names[i], field.codes[i]);
+  box->setCurrentIndex(static_cast<int>(field.codes.indexOf(values.*field.value)));
+  QObject::connect(box, &QComboBox::currentIndexChanged, [&values, field, changed](int index) {
+    values.*field.value = field.codes[index];
+    changed();
+  });
+  return box;
+}
+
 }  // namespace detail
 
 /// Fills a form with an editor for every field. `values` must outlive the form; `changed` is called after every edit.
@@ -94,6 +106,8 @@ void readFields(const QSettings& file, const FieldTable<T>& fields, T& values) {
             values.*kind.value = stored.toBool();
           else if constexpr (std::is_same_v<Kind, typename Field<T>::Choice>)
             values.*kind.value = std::clamp(stored.toInt(), 0, static_cast<int>(kind.options.size()) - 1);
+          else if constexpr (std::is_same_v<Kind, typename Field<T>::Named>)
+            values.*kind.value = kind.codes.contains(stored.toString()) ? stored.toString() : values.*kind.value;
           else if constexpr (std::is_same_v<Kind, typename Field<T>::Whole>)
             values.*kind.value = std::clamp(stored.toInt(), kind.least, kind.most);
           else

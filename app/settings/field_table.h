@@ -31,11 +31,16 @@ struct Field {
     int T::*value;  ///< index into the options
     QStringList options;
   };
+  struct Named {
+    QString T::*value;  ///< one of the codes
+    QStringList codes;
+    QStringList names;  ///< of the codes, in the form
+  };
 
   QString key;    ///< in the file
   QString label;  ///< in the form
   QString help;   ///< one sentence
-  std::variant<Switch, Whole, Number, Choice> kind;
+  std::variant<Switch, Whole, Number, Choice, Named> kind;
 };
 
 template <typename T>

@@ -3,6 +3,7 @@
 #include <QCoreApplication>
 
 #include "settings/field_form.h"
+#include "settings/languages.h"
 
 namespace vantage {
 namespace {
@@ -15,7 +16,16 @@ struct Text {
 
 FieldTable<Preferences> preferenceFields() {
   using F = Field<Preferences>;
+  QStringList codes{QString()};
+  QStringList names{Text::tr("As the desktop")};
+  for (const Language& language : languages()) {
+    codes << language.code;
+    names << language.name;
+  }
   return {
+      {"language", Text::tr("Language"),
+       Text::tr("Of the window, from the next start on. The command line and what is written in files stay English."),
+       F::Named{&Preferences::language, codes, names}},
       {"theme", Text::tr("Theme"), Text::tr("Colours of the window and of the views."),
        F::Choice{&Preferences::theme, {Text::tr("Light"), Text::tr("Dark"), Text::tr("As the desktop")}}},
       {"navigation", Text::tr("Mouse"), Text::tr("Which program the mouse buttons in the views follow."),

@@ -6,6 +6,7 @@ namespace vantage {
 
 /// What an operator sets once, for all sessions.
 struct Preferences {
+  QString language;    ///< of the window, as languages() has it; empty: as the desktop
   int theme = 0;       ///< light, dark, as the desktop
   int navigation = 4;  ///< NavigationScheme
   int threads = 0;     ///< that a job may use; 0: all of the machine

@@ -4,6 +4,7 @@
 #include <QComboBox>
 #include <QCoreApplication>
 #include <QLineEdit>
+#include <QLocale>
 #include <QSignalBlocker>
 #include <QSpinBox>
 #include <algorithm>
@@ -15,6 +16,15 @@ namespace vantage {
 namespace {
 
 using Edited = std::function<void(const QString&)>;
+
+// Decimals as the language writes them; names and codes as they are.
+QString inLanguage(const SettingField& field, QString text) {
+  return field.kind == SettingField::Kind::Number ? text.replace(QLatin1Char('.'), QLocale().decimalPoint()) : text;
+}
+
+QString inFile(const SettingField& field, QString text) {
+  return field.kind == SettingField::Kind::Number ? text.replace(QLocale().decimalPoint(), QStringLiteral(".")) : text;
+}
 
 void take(const SettingField& field, AcquisitionSettings& settings, const QString& text, const Edited& edited) {
   try {
@@ -83,9 +93,10 @@ SettingEditor makeChoice(const SettingField& field, AcquisitionSettings& setting
 // Numbers too: what was typed is taken to the last digit, and a setting may be automatic.
 SettingEditor makeText(const SettingField& field, AcquisitionSettings& settings, const Edited& edited) {
   auto* line = new QLineEdit;
-  const auto refresh = [line, &field, &settings] { line->setText(shown(field, settings)); };
-  QObject::connect(line, &QLineEdit::textEdited, line,
-                   [&field, &settings, edited](const QString& text) { take(field, settings, text, edited); });
+  const auto refresh = [line, &field, &settings] { line->setText(inLanguage(field, shown(field, settings))); };
+  QObject::connect(line, &QLineEdit::textEdited, line, [&field, &settings, edited](const QString& text) {
+    take(field, settings, inFile(field, text), edited);
+  });
   QObject::connect(line, &QLineEdit::editingFinished, line, [refresh, edited] {
     refresh();
     edited({});

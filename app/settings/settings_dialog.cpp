@@ -3,6 +3,7 @@
 #include <QDialogButtonBox>
 #include <QVBoxLayout>
 
+#include "form_parts.h"
 #include "settings/field_form.h"
 
 namespace vantage {
@@ -12,8 +13,15 @@ SettingsDialog::SettingsDialog(const Preferences& preferences, QWidget* parent)
   setWindowTitle(tr("Settings"));
   auto* layout = new QVBoxLayout(this);
   auto* form = new QFormLayout;
-  fillForm(*form, preferenceFields(), edited_, [this] { emit edited(edited_); });
+  auto* later = makeLabel(tr("The window speaks it after it was closed and opened again."), "muted");
+  later->setObjectName(QStringLiteral("languageLater"));
+  fillForm(*form, preferenceFields(), edited_, [this, later] {
+    later->setVisible(edited_.language != before_.language);
+    emit edited(edited_);
+  });
   layout->addLayout(form);
+  layout->addWidget(later);
+  later->hide();
   layout->addStretch();
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel);
   layout->addWidget(buttons);

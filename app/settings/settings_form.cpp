@@ -19,7 +19,7 @@ namespace {
 QFormLayout* makeForm(QVBoxLayout& column) {
   auto* form = new QFormLayout;
   form->setContentsMargins(0, 0, 0, 0);
-  form->setRowWrapPolicy(QFormLayout::DontWrapRows);
+  form->setRowWrapPolicy(QFormLayout::WrapLongRows);
   form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
   column.addLayout(form);
   return form;

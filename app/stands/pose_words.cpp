@@ -2,6 +2,7 @@
 
 #include <QCoreApplication>
 
+#include "look/figures.h"
 #include "report/wording.h"
 #include "wording.h"
 
@@ -13,7 +14,7 @@ struct Text {
 };
 
 QString percent(double share) {
-  return QString::number(100.0 * share, 'f', 1);
+  return figureText(100.0 * share, 1);
 }
 
 QString whoDecided(PoseChoice choice) {
@@ -58,8 +59,7 @@ QString poseTitle(int index, const StandPose& pose) {
 
 QString poseFigures(const StandPose& pose) {
   return Text::tr("%1 % in common, %2 mm apart\n%3 % contradicted\n%4 % expected, not seen")
-      .arg(percent(pose.overlap), QString::number(pose.rms, 'f', 2), percent(pose.conflict + pose.table),
-           percent(pose.missing));
+      .arg(percent(pose.overlap), figureText(pose.rms, 2), percent(pose.conflict + pose.table), percent(pose.missing));
 }
 
 }  // namespace vantage

@@ -146,11 +146,12 @@ void CalibratePage::refreshResult() {
       figures_->add(tr("Turns, as it counts upwards"), c.sense > 0 ? tr("counter-clockwise") : tr("clockwise"),
                     tr("seen from above"));
       figures_->add(tr("Turned for every degree counted"),
-                    QString::number(c.degreesPerCommandedDegree, 'f', 4) + QStringLiteral("°"));
+                    figureText(c.degreesPerCommandedDegree, 4) + QStringLiteral("°"));
       for (const ScanResidual& scan : result->scans)
-        figures_->add(tr("Scan at %1°").arg(scan.tableAngle, 0, 'f', 2),
-                      scan.used ? tr("off by %1°").arg(degrees(scan.off), 0, 'f', 2) : tr("not used"),
-                      scan.used ? tr("fits to %1 mm").arg(scan.rms, 0, 'f', 3) : tr("it shows too little that turns"));
+        figures_->add(
+            tr("Scan at %1°").arg(figureText(scan.tableAngle, 2)),
+            scan.used ? tr("off by %1°").arg(figureText(degrees(scan.off), 2)) : tr("not used"),
+            scan.used ? tr("fits to %1 mm").arg(figureText(scan.rms, 3)) : tr("it shows too little that turns"));
     }
   }
   verdict_->setVisible(!verdict_->text().isEmpty());

@@ -138,7 +138,7 @@ void CheckPage::refresh() {
   }
   setRole(*verdict_, outside || !controller().setUpFailure().isEmpty() ? "warning" : "");
   if (setUp && setUp->profile) {
-    figures_->add(tr("Positions of the scanner"), QString::number(setUp->profile->workspace.size()));
+    figures_->add(tr("Positions of the scanner"), countText(setUp->profile->workspace.size()));
     figures_->add(tr("Ranging rays per scan"), countText(setUp->profile->rays->size()));
   }
   emit changed();

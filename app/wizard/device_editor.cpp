@@ -74,8 +74,8 @@ DeviceEditor::DeviceEditor(QWidget* parent)
                     tr("The serial port that the turntable is connected to; any path can be typed."))),
       protocol_(makeBox(QStringLiteral("protocol"), tr("Language of the turntable"),
                         tr("What the controller of the turntable speaks; it is asked when none is chosen."))),
-      hint_(makeLabel({}, "muted")),
-      complaint_(makeLabel({}, "warning")) {
+      hint_(makeLabel(QString(), "muted")),
+      complaint_(makeLabel(QString(), "warning")) {
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->addWidget(makeLabel(tr("What scans"), "section"));

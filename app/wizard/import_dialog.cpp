@@ -100,7 +100,7 @@ ImportDialog::ImportDialog(SessionController& controller, Into into, QWidget* pa
                    tr("The value that stands where nothing was measured; what the command line calls --no-sample."),
                    tr("As it is found, for instance 0 or -9999"))),
       folder_(new QLineEdit),
-      complaint_(makeLabel({}, "warning")),
+      complaint_(makeLabel(QString(), "warning")),
       buttons_(new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel)) {
   setWindowTitle(into == Into::NewSession ? tr("Import recorded scans") : tr("Add scans to the session"));
   resize(760, 580);

@@ -1,12 +1,12 @@
 #include "wizard/next_view_box.h"
 
-#include <QHBoxLayout>
 #include <QSpinBox>
 #include <QVBoxLayout>
 #include <cmath>
 
 #include "form_parts.h"
 #include "why_card.h"
+#include "window/flow_layout.h"
 #include "wizard/turn_dial.h"
 
 namespace vantage {
@@ -23,9 +23,9 @@ NextViewBox::NextViewBox(SessionController& controller, QWidget* parent)
       back_(makeButton(tr("Proposa&l"), QStringLiteral("takeProposal"), tr("Go back to the proposed position."))) {
   other_->setObjectName(QStringLiteral("otherPosition"));
   other_->setAccessibleName(tr("Another position"));
-  auto* row = new QHBoxLayout;
+  auto* row = new FlowLayout(6);
   row->addWidget(new QLabel(tr("Other:")));
-  row->addWidget(other_, 1);
+  row->addWidget(other_);
   row->addWidget(take_);
   row->addWidget(back_);
   auto* column = new QVBoxLayout(this);

@@ -6,6 +6,7 @@
 
 #include "acquisition/other_turn.h"
 #include "form_parts.h"
+#include "look/figures.h"
 #include "session_controller.h"
 
 namespace vantage {
@@ -45,7 +46,7 @@ void OtherTurnBox::offer(std::optional<std::int64_t> scan, const std::vector<dou
   if (!scan) return;
   what_->setText(tr("Scan %1 fits another turn of the table than was said. If the table stood there:").arg(*scan));
   for (const double turn : turns) {
-    const QString angle = QString::number(turn, 'f', 1) + QStringLiteral("°");
+    const QString angle = figureText(turn, 1) + QStringLiteral("°");
     auto* button = makeButton(tr("It was taken at %1").arg(angle), QStringLiteral("takeAsFrom"),
                               tr("Take the scan as one with the table at %1, counter-clockwise from its first "
                                  "position, seen from above: there it fits.")

@@ -71,7 +71,8 @@ void Wizard::build() {
   buttons->addWidget(next_, 1);
   foot->addLayout(buttons);
   column->addLayout(foot);
-  setMinimumWidth(kLeastWidth);
+  // The buttons below may need more: what they say depends on the language.
+  stack_->setMinimumWidth(kLeastWidth);
 }
 
 void Wizard::addPage(WizardPage* page) {

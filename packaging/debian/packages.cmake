@@ -18,8 +18,8 @@ set(CPACK_DEBIAN_WINDOW_PACKAGE_NAME vantage)
 set(CPACK_DEBIAN_WINDOW_PACKAGE_SECTION graphics)
 set(CPACK_DEBIAN_WINDOW_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_WINDOW_PACKAGE_DEPENDS "vantage-data ${same}")
-set(CPACK_DEBIAN_WINDOW_PACKAGE_RECOMMENDS "vantage-cli ${same}, libgl1-mesa-dri, fonts-dejavu-core")
-set(CPACK_DEBIAN_WINDOW_PACKAGE_SUGGESTS "vantage-doc, qt6-wayland")
+set(CPACK_DEBIAN_WINDOW_PACKAGE_RECOMMENDS "vantage-cli ${same}, libgl1-mesa-dri, fonts-dejavu-core, qt6-translations-l10n")
+set(CPACK_DEBIAN_WINDOW_PACKAGE_SUGGESTS "vantage-doc, qt6-wayland, fonts-noto-cjk | fonts-droid-fallback")
 set(CPACK_DEBIAN_WINDOW_DESCRIPTION
 "scanning workstation that decides where to scan next
 ${about}This package has the window, and the program that draws pictures for the

@@ -15,6 +15,7 @@
 #include <cmath>
 
 #include "app/desk.h"
+#include "app/in_language.h"
 #include "app/window_checks.h"
 #include "geometry/measures.h"
 #include "main_window.h"
@@ -35,6 +36,7 @@ struct Look {
   QSize size;
   bool dark;
   bool kept;  // compared with baselines
+  const char* language = "en";
 };
 
 class Pages : public ::testing::TestWithParam<Look> {
@@ -57,10 +59,14 @@ class Pages : public ::testing::TestWithParam<Look> {
 INSTANTIATE_TEST_SUITE_P(Window, Pages,
                          ::testing::Values(Look{"light", {1280, 800}, false, true},
                                            Look{"dark", {1280, 800}, true, true},
-                                           Look{"wide", {1920, 1080}, false, false}),
+                                           Look{"wide", {1920, 1080}, false, false},
+                                           Look{"pseudo", {1920, 1080}, false, false, "pseudo"},
+                                           Look{"german", {1280, 800}, false, false, "de"},
+                                           Look{"chinese", {1280, 800}, true, false, "zh_CN"}),
                          [](const auto& p) { return p.param.name; });
 
 TEST_P(Pages, NothingIsBlankClippedOrNameless) {
+  const testing::InLanguage language(GetParam().language);
   Desk desk(GetParam().size, GetParam().dark);
   check(desk, "1_choose");
   desk.next();
@@ -90,6 +96,7 @@ TEST_P(Pages, NothingIsBlankClippedOrNameless) {
 }
 
 TEST_P(Pages, NothingIsBlankClippedOrNamelessAfterALongSession) {
+  const testing::InLanguage language(GetParam().language);
   Desk desk(GetParam().size, GetParam().dark);
   desk.window().findChild<QSpinBox*>("max_views")->setValue(40);
   desk.next();

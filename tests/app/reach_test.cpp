@@ -13,6 +13,7 @@
 #include <QVBoxLayout>
 
 #include "app/desk.h"
+#include "app/in_language.h"
 #include "app/window_checks.h"
 #include "screenshots/painted_text.h"
 #include "window/fitting.h"
@@ -24,6 +25,7 @@ namespace vantage {
 namespace {
 
 using testing::Desk;
+using testing::InLanguage;
 
 const QStringList kPages{"choose", "check", "acquire", "turn_over", "review", "finish"};
 
@@ -95,15 +97,21 @@ TEST(PageScroll, DoesNotMoveWhenAButtonIsDisabledAndGivesItTheKeyboardBack) {
 struct Screen {
   QSize size;
   double points;
+  const char* language = "en";
 };
 
 class Reach : public ::testing::TestWithParam<Screen> {};
 INSTANTIATE_TEST_SUITE_P(Screens, Reach,
                          ::testing::Values(Screen{{1024, 740}, 9.0}, Screen{{1000, 700}, 9.0},
                                            Screen{{1024, 740}, 12.0}, Screen{{1024, 740}, 16.0},
-                                           Screen{{1920, 1050}, 16.0}, Screen{{3840, 2100}, 9.0}),
+                                           Screen{{1920, 1050}, 16.0}, Screen{{3840, 2100}, 9.0},
+                                           Screen{{1024, 740}, 9.0, "pseudo"}, Screen{{1000, 700}, 9.0, "pseudo"},
+                                           Screen{{1024, 740}, 12.0, "pseudo"}, Screen{{1000, 700}, 9.0, "de"},
+                                           Screen{{1024, 740}, 12.0, "de"}, Screen{{1024, 740}, 16.0, "de"},
+                                           Screen{{1000, 700}, 9.0, "zh_CN"}, Screen{{1024, 740}, 16.0, "zh_CN"}),
                          [](const auto& p) {
-                           return QStringLiteral("w%1h%2pt%3")
+                           return QStringLiteral("%1w%2h%3pt%4")
+                               .arg(QLatin1String(p.param.language))
                                .arg(p.param.size.width())
                                .arg(p.param.size.height())
                                .arg(p.param.points)
@@ -112,6 +120,7 @@ INSTANTIATE_TEST_SUITE_P(Screens, Reach,
 
 TEST_P(Reach, EveryPageFits) {
   const InFont font(GetParam().points);
+  const InLanguage language(GetParam().language);
   Desk desk(GetParam().size, false);
   desk.controller().setMode(Mode::Automatic);
   desk.next();
@@ -119,7 +128,8 @@ TEST_P(Reach, EveryPageFits) {
   desk.controller().step();
   for (const QString& page : kPages) {
     desk.window().wizard().goTo(page);
-    const QImage image = desk.picture(QStringLiteral("reach_%1x%2_%3pt_%4")
+    const QImage image = desk.picture(QStringLiteral("reach_%1_%2x%3_%4pt_%5")
+                                          .arg(QLatin1String(GetParam().language))
                                           .arg(GetParam().size.width())
                                           .arg(GetParam().size.height())
                                           .arg(GetParam().points)
@@ -150,7 +160,12 @@ TEST(ReachTheSides, DocksGoWhereThereIsNoRoomAndComeBack) {
   EXPECT_FALSE(objective->isHidden());
 }
 
-TEST(ReachByLetters, NoTwoThingsHaveTheSameOne) {
+class ReachByLetters : public ::testing::TestWithParam<const char*> {};
+INSTANTIATE_TEST_SUITE_P(In, ReachByLetters, ::testing::Values("en", "de", "zh_CN"),
+                         [](const auto& p) { return std::string(p.param); });
+
+TEST_P(ReachByLetters, NoTwoThingsHaveTheSameOne) {
+  const InLanguage language(GetParam());
   Desk desk({1280, 800}, false);
   const auto check = [&](const QString& when) {
     Desk::settle();

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <QApplication>
+#include <QLocale>
 
 #include "look/legend.h"
 
@@ -9,6 +10,7 @@ int main(int argc, char** argv) {
   qputenv("QT_QPA_PLATFORM", "offscreen");
   ::testing::InitGoogleTest(&argc, argv);
   const QApplication app(argc, argv);
+  QLocale::setDefault(QLocale::c());
   QApplication::setStyle(QStringLiteral("Fusion"));
   QApplication::setFont(vantage::pictureFont(13.0));
   return RUN_ALL_TESTS();

@@ -1,9 +1,13 @@
 #include "charts/objective_key.h"
 
 #include <QCoreApplication>
+#include <QFontMetricsF>
+#include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "charts/axis.h"
+#include "look/legend.h"
 
 namespace vantage {
 namespace {
@@ -49,10 +53,19 @@ void paintMarkKey(QPainter& painter, const QRectF& area, const Theme& theme) {
                                    {theme.proposed, Text::tr("next")},
                                    {theme.examined, Text::tr("asked")},
                                    {objectiveShade(objectiveVoidColour(), false), Text::tr("ruled out")}}};
-  const double width = (area.width() - 20.0) / 4.2;
+  constexpr double kPixels = 11.0;
+  constexpr double kMark = 14.0;
+  constexpr double kLeastGap = 6.0;
+  const QFontMetricsF metrics(pictureFont(kPixels));
+  double texts = 0.0;
+  for (const Item& item : items) texts += metrics.horizontalAdvance(item.text) + 2.0;
+  // Smaller where a language has no room, else as far apart as there is.
+  const double room = area.width() - 20.0 - 4.0 * kMark;
+  const double scale = std::min(1.0, (room - 3.0 * kLeastGap) / texts);
+  const double gap = (room - scale * texts) / 3.0;
   const double y = area.bottom() - 12.0;
+  double x = area.left() + 10.0;
   for (std::size_t i = 0; i < items.size(); ++i) {
-    const double x = area.left() + 10.0 + width * static_cast<double>(i);
     painter.setPen(Qt::NoPen);
     painter.setBrush(items[i].colour);
     if (i < 3) {
@@ -60,7 +73,9 @@ void paintMarkKey(QPainter& painter, const QRectF& area, const Theme& theme) {
     } else {
       painter.drawRect(QRectF(x, y - 5.0, 10.0, 10.0));
     }
-    paintText(painter, {x + 14.0, y}, Qt::AlignLeft | Qt::AlignVCenter, items[i].text, theme.text);
+    paintText(painter, {x + kMark, y}, Qt::AlignLeft | Qt::AlignVCenter, items[i].text, theme.text,
+              std::floor(scale * kPixels));
+    x += kMark + scale * (metrics.horizontalAdvance(items[i].text) + 2.0) + gap;
   }
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "charts/axis.h"
+#include "look/figures.h"
 
 namespace vantage {
 namespace {
@@ -78,9 +79,8 @@ double paintKey(QPainter& painter, const QRectF& area, const ScannerPicture& pic
     const auto sight = static_cast<RaySight>(k);
     const std::size_t count = sight == RaySight::Nothing ? 0 : picture.count(sight);
     if (count == 0) continue;
-    const QString label = QStringLiteral("%1 %2 %")
-                              .arg(Text::tr(textOf(sight)))
-                              .arg(100.0 * static_cast<double>(count) / static_cast<double>(meeting), 0, 'f', 1);
+    const QString label = QStringLiteral("%1 %2 %").arg(
+        Text::tr(textOf(sight)), figureText(100.0 * static_cast<double>(count) / static_cast<double>(meeting), 1));
     const double width = 16.0 + QFontMetricsF(pictureFont(11.0)).horizontalAdvance(label) + 14.0;
     if (at.x() + width > area.right() && at.x() > area.left() + 10.0) {
       at = QPointF(area.left() + 10.0, at.y() - kLine);

@@ -2,6 +2,7 @@
 
 #include <QFontMetricsF>
 #include <QLinearGradient>
+#include <QLocale>
 #include <algorithm>
 #include <cmath>
 
@@ -107,7 +108,7 @@ QString shortNumber(double value) {
   // A thin space every three digits: commas and points mean different things in different places.
   const int point = static_cast<int>(text.indexOf('.') < 0 ? text.size() : text.indexOf('.'));
   for (int i = point - 3; i > (value < 0.0 ? 1 : 0); i -= 3) text.insert(i, QChar(0x2009));
-  return text;
+  return text.replace(QLatin1Char('.'), QLocale().decimalPoint());
 }
 
 QFont pictureFont(double pixels, bool bold) {

@@ -1,5 +1,6 @@
 #include "scenes/camera_marks.h"
 
+#include <QLocale>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -60,7 +61,7 @@ void paintCameraMarks(QPainter& painter, const QRectF& area, const Camera& camer
   painter.drawLine(QPointF(left, y), QPointF(end, y));
   for (const double x : {left, end}) painter.drawLine(QPointF(x, y - 4.0), QPointF(x, y + 4.0));
   paintText(painter, {0.5 * (left + end), y - 4.0}, Qt::AlignHCenter | Qt::AlignBottom,
-            QString::number(length) + QStringLiteral(" mm"), theme.text);
+            QLocale().toString(length, 'g', QLocale::FloatingPointShortest) + QStringLiteral(" mm"), theme.text);
   painter.restore();
 }
 

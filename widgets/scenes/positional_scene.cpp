@@ -3,6 +3,7 @@
 #include <QCoreApplication>
 
 #include "layers/positional_links.h"
+#include "look/figures.h"
 #include "scenes/model_scene.h"
 
 namespace vantage {
@@ -87,9 +88,9 @@ Overlay PositionalScene::overlay() const {
   overlay.notes << field_->title;
   if (options_.direction)
     overlay.notes << Text::tr("in directions %1° aside, %2° up, each ± %3°")
-                         .arg(QString::number(degrees(options_.direction->phi), 'f', 0),
-                              QString::number(degrees(options_.direction->psi), 'f', 0),
-                              QString::number(degrees(options_.direction->halfWidth), 'f', 1));
+                         .arg(figureText(degrees(options_.direction->phi)),
+                              figureText(degrees(options_.direction->psi)),
+                              figureText(degrees(options_.direction->halfWidth), 1));
   else
     overlay.notes << Text::tr("summed over all directions");
   if (pointed_) overlay.notes << describeCell(*snapshot_, *field_, *pointed_);
