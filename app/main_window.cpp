@@ -12,6 +12,7 @@
 #include <QShortcut>
 #include <QStatusBar>
 #include <algorithm>
+#include <utility>
 
 #include "acquisition/stand_composites.h"
 #include "diagnostics_dialog.h"
@@ -37,6 +38,9 @@ namespace vantage {
 namespace {
 
 constexpr int kLayoutVersion = 1;
+// Of the docks on the left and on the right at first [px].
+constexpr int kGuideWidth = 340;
+constexpr int kSideWidth = 350;
 
 // An action that cannot be had now says why.
 void allow(QAction& action, const QString& whyNot) {
@@ -75,15 +79,11 @@ MainWindow::MainWindow(const WindowParts& parts, const Preferences& preferences,
   addDocks();
   // After the docks: whoever goes by the keyboard comes by the page first.
   setCentralWidget(&views_->model());
-  auto* guide = findChild<QDockWidget*>(QStringLiteral("wizardDock"));
-  resizeDocks({guide, docks_[0]}, {340, 350}, Qt::Horizontal);
-  resizeDocks({docks_[0], docks_[3]}, {300, 340}, Qt::Vertical);
-  resizeDocks({docks_[4]}, {96}, Qt::Vertical);
+  firstLayout_ = saveState(kLayoutVersion);
   addMenus();
   connectController();
   statusBar()->addWidget(jobs_, 1);
   statusBar()->setSizeGripEnabled(false);
-  firstLayout_ = saveState(kLayoutVersion);
   applyPreferences(preferences);
   setLeastSize();
   refreshActions();
@@ -350,7 +350,7 @@ void MainWindow::writeReport(const QString& path) {
 void MainWindow::restoreLayout() {
   const QSettings file;
   restoreGeometry(file.value(QStringLiteral("window/geometry")).toByteArray());
-  restoreState(file.value(QStringLiteral("window/layout")).toByteArray(), kLayoutVersion);
+  isLaidOut_ = restoreState(file.value(QStringLiteral("window/layout")).toByteArray(), kLayoutVersion);
   fitsScreen_ = true;
   fitToScreen(*this);
 }
@@ -367,9 +367,18 @@ void MainWindow::changeEvent(QEvent* event) {
     QMetaObject::invokeMethod(this, &MainWindow::setLeastSize, Qt::QueuedConnection);
 }
 
+// As wide as they are meant to be: only a window that is shown can share its width out.
+void MainWindow::layOutDocks() {
+  auto* guide = findChild<QDockWidget*>(QStringLiteral("wizardDock"));
+  resizeDocks({guide, docks_[0]}, {kGuideWidth, kSideWidth}, Qt::Horizontal);
+  resizeDocks({docks_[0], docks_[3]}, {300, 340}, Qt::Vertical);
+  resizeDocks({docks_[4]}, {96}, Qt::Vertical);
+}
+
 // Its frame is known from now on.
 void MainWindow::showEvent(QShowEvent* event) {
   QMainWindow::showEvent(event);
+  if (!std::exchange(isLaidOut_, true)) layOutDocks();
   QMetaObject::invokeMethod(
       this,
       [this] {
@@ -382,6 +391,7 @@ void MainWindow::showEvent(QShowEvent* event) {
 void MainWindow::resetLayout() {
   sides_->expand();
   restoreState(firstLayout_, kLayoutVersion);
+  layOutDocks();
   sides_->arrange();
 }
 

@@ -68,6 +68,7 @@ class MainWindow final : public QMainWindow {
   void refreshActions();
   void refreshTitle();
   void setLeastSize();
+  void layOutDocks();
   void say(const QString& why);
   void editSettings();
   void writeReport(const QString& path);
@@ -105,6 +106,7 @@ class MainWindow final : public QMainWindow {
   QAction* close_ = nullptr;
   QAction* turnOver_ = nullptr;
   QByteArray firstLayout_;
+  bool isLaidOut_ = false;  // by the operator, or for the first time
   bool fitsScreen_ = false;  ///< it is kept inside of its screen when it is shown
 };
 

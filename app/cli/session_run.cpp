@@ -238,6 +238,7 @@ void SessionRun::scanFromPositions(Acquisition& acquisition) {
     acquisition.carryOut(ChoosePosition{position}, context_.progress());
     acquisition.scanNext(context_.progress());
   }
+  if (last_->termination != Termination::Running) return;
   const NextScan next = acquisition.next();
   if (const auto* ended = std::get_if<Ended>(&next))
     acquisition.carryOut(Finish{ended->termination}, context_.progress());

@@ -11,6 +11,9 @@ when nothing is left that any position could see.
 .
 ")
 
+# The first line of each description is the synopsis, not that of the project.
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "")
+
 set(CPACK_DEBIAN_WINDOW_PACKAGE_NAME vantage)
 set(CPACK_DEBIAN_WINDOW_PACKAGE_SECTION graphics)
 set(CPACK_DEBIAN_WINDOW_PACKAGE_SHLIBDEPS ON)

@@ -83,6 +83,7 @@ TEST(PageScroll, DoesNotMoveWhenAButtonIsDisabledAndGivesItTheKeyboardBack) {
   scroll.resize(200, 300);
   scroll.show();
   scroll.activateWindow();
+  Desk::settle();
   first->setFocus();
   first->setEnabled(false);
   Desk::settle();

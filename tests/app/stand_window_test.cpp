@@ -73,6 +73,7 @@ TEST(StandWindow, AligningIsStoppedAtOnceAndGoesOnWhenItIsAskedAgain) {
     ASSERT_TRUE(me.waitUntilIdle());
     EXPECT_LE(watch.milliseconds(), kLongestCancel) << "stopped after " << moment << " ms";
     ASSERT_TRUE(me.dialog() && me.dialog()->isVisible());
+    if (me.stand().alignment) break;  // it was faster than the key
     EXPECT_EQ(me.controller().present().moments().size(), steps);
   }
   if (!me.stand().alignment) me.click("searchPoses");

@@ -83,7 +83,7 @@ TEST(WhyCard, AddsWhatKeepsPatchesFromSightOnceItIsComputed) {
   const WhyFigure* light = find(card.sights, "light blocked");
   ASSERT_NE(light, nullptr);
   EXPECT_EQ(light->value, "12.5\u00a0mm²");
-  EXPECT_EQ(light->remark, "");
+  EXPECT_EQ(light->remark, "1 edge");
   EXPECT_EQ(card.sights.size(), kVisibilities);
 }
 

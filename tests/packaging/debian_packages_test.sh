@@ -31,9 +31,10 @@ rm -rf "$out/1" "$out/2"
 cli=$(echo "$out"/vantage-cli_*.deb)
 [[ -f $cli ]] || fail "there is no package vantage-cli"
 if dpkg-deb -f "$cli" Depends | grep -Ei 'qt6|libgl|libvtk|libx11|osmesa|libegl'; then fail "vantage-cli depends on graphics"; fi
+contents=$(dpkg-deb -c "$cli")
 for file in usr/bin/vantage-cli usr/share/man/man1/vantage-cli.1.gz usr/share/bash-completion/completions/vantage-cli \
   usr/share/doc/vantage-cli/copyright usr/share/doc/vantage-cli/changelog.gz; do
-  dpkg-deb -c "$cli" | grep -q " ./$file\$" || fail "$file is not in vantage-cli"
+  grep -q " ./$file\$" <<<"$contents" || fail "$file is not in vantage-cli"
 done
 if command -v lintian >/dev/null; then
   lintian --allow-root --fail-on error,warning "$out"/*.deb || fail "lintian"

@@ -37,8 +37,13 @@ double shareOf(const QImage& image, const Test& test) {
   return static_cast<double>(count) / static_cast<double>(pixelCount(image));
 }
 
-// Where the ink of a text is, relative to the first of it.
-std::vector<QPoint> inkOf(const QString& text, double pixels, bool bold, double ratio) {
+// Where the ink of a text is and where clean paper, relative to the first of the ink.
+struct Lettering {
+  std::vector<QPoint> ink;
+  std::vector<QPoint> paper;
+};
+
+Lettering letteringOf(const QString& text, double pixels, bool bold, double ratio) {
   QFont font = pictureFont(pixels, bold);
   const QFontMetricsF metrics(font);
   const QSize size = (QSizeF(metrics.horizontalAdvance(text) + 4.0, metrics.height() + 4.0) * ratio).toSize();
@@ -51,25 +56,37 @@ std::vector<QPoint> inkOf(const QString& text, double pixels, bool bold, double 
   painter.drawText(QPointF(2.0, 2.0 + metrics.ascent()), text);
   painter.end();
   constexpr int kDark = 70;
-  std::vector<QPoint> ink;
-  for (int y = 0; y < image.height(); ++y)
-    for (int x = 0; x < image.width(); ++x)
-      if (qGray(image.pixel(x, y)) < kDark) ink.emplace_back(x, y);
-  for (auto p = ink.rbegin(); p != ink.rend(); ++p) *p -= ink.front();
-  return ink;
+  constexpr int kClean = 250;
+  Lettering lettering;
+  for (int y = 0; y < image.height(); ++y) {
+    for (int x = 0; x < image.width(); ++x) {
+      const int grey = qGray(image.pixel(x, y));
+      if (grey < kDark) lettering.ink.emplace_back(x, y);
+      if (grey > kClean) lettering.paper.emplace_back(x, y);
+    }
+  }
+  const QPoint first = lettering.ink.front();
+  for (QPoint& p : lettering.ink) p -= first;
+  for (QPoint& p : lettering.paper) p -= first;
+  return lettering;
 }
 
-// Whether the ink lies on pixels of the text's colour, but for a few.
-bool inkAt(const QImage& image, const QPoint& place, const std::vector<QPoint>& ink, QRgb colour) {
+// Whether these lie on pixels of a colour, but for a share.
+bool liesOn(const QImage& image, const QPoint& place, const std::vector<QPoint>& points, QRgb colour, double butFor) {
   constexpr int kChannel = 90;
-  const auto most = static_cast<int>(ink.size() / 8);
+  const auto most = static_cast<int>(butFor * static_cast<double>(points.size()));
   int missing = 0;
-  for (const QPoint& offset : ink) {
+  for (const QPoint& offset : points) {
     const QPoint p = place + offset;
     if (!image.rect().contains(p) || differ(image.pixel(p), colour, kChannel)) ++missing;
     if (missing > most) return false;
   }
   return true;
+}
+
+// Whether the ink is there, and not the paper as well: a dark spot is no text.
+bool isWritten(const QImage& image, const QPoint& place, const Lettering& lettering, QRgb colour) {
+  return liesOn(image, place, lettering.ink, colour, 0.125) && !liesOn(image, place, lettering.paper, colour, 0.5);
 }
 
 }  // namespace
@@ -119,10 +136,10 @@ QImage grab(QWidget& widget, const QSize& size) {
 
 ::testing::AssertionResult showsText(const QImage& image, const QString& text, const QColor& colour, double pixels,
                                      bool bold) {
-  const std::vector<QPoint> ink = inkOf(text, pixels, bold, image.devicePixelRatio());
+  const Lettering lettering = letteringOf(text, pixels, bold, image.devicePixelRatio());
   for (int y = 0; y < image.height(); ++y)
     for (int x = 0; x < image.width(); ++x)
-      if (inkAt(image, {x, y}, ink, colour.rgb())) return ::testing::AssertionSuccess();
+      if (isWritten(image, {x, y}, lettering, colour.rgb())) return ::testing::AssertionSuccess();
   return ::testing::AssertionFailure() << "\"" << text.toStdString() << "\" is not in the picture";
 }
 

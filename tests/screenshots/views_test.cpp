@@ -158,7 +158,7 @@ TEST_P(Views, NoViewYet) {
   const auto state = std::make_shared<AcquisitionState>();
   state->profile = mugUnderWay()->state->profile;
   const QImage image = model(makeSnapshot(state), {});
-  expectTitle(image, "No view taken yet");
+  expectTitle(image, "Before the first scan");
   EXPECT_TRUE(showsColour(image, theme().table, 0.1));
   EXPECT_TRUE(matchesBaseline(image, named("model_empty")));
 }

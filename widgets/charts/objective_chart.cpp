@@ -16,6 +16,8 @@ namespace {
 constexpr double kLeft = 52.0;
 constexpr double kRight = 12.0;
 constexpr double kTitle = 30.0;
+constexpr double kLine = 16.0;
+constexpr double kSmall = 12.0;
 constexpr double kGap = 30.0;
 
 struct Text {
@@ -60,17 +62,18 @@ void paintHead(QPainter& painter, const QRectF& area, const ObjectiveChartData& 
   paintOverlay(painter, area, {{titleOf(data)}, {}}, theme);
   if (!told || *told >= static_cast<int>(data.positions.size())) return;
   const auto& p = data.positions[static_cast<std::size_t>(*told)];
-  const QString line =
-      Text::tr("position %1, at %2: void %3, overlap %4")
-          .arg(QString::number(*told), placeText(data, p), shortArea(p.voidArea), shortArea(p.overlapArea)) +
-      (p.taken     ? Text::tr(", taken")
-       : p.allowed ? QString()
-                   : Text::tr(", ruled out"));
-  constexpr double kPixels = 12.0;
-  const double needed = QFontMetricsF(pictureFont(kPixels)).horizontalAdvance(line);
-  const double pixels = kPixels * std::min(1.0, (area.width() - 20.0) / needed);
-  paintText(painter, {area.left() + 9.0, area.top() + 26.0}, Qt::AlignLeft | Qt::AlignTop, line, theme.mutedText,
-            pixels);
+  const QString place = Text::tr("position %1, at %2").arg(QString::number(*told), placeText(data, p)) +
+                        (p.taken     ? Text::tr(", taken")
+                         : p.allowed ? QString()
+                                     : Text::tr(", ruled out"));
+  const QString areas = Text::tr("void %1, overlap %2").arg(shortArea(p.voidArea), shortArea(p.overlapArea));
+  double top = area.top() + kTitle - 4.0;
+  for (const QString& line : {place, areas}) {
+    const double needed = QFontMetricsF(pictureFont(kSmall)).horizontalAdvance(line);
+    const double pixels = kSmall * std::min(1.0, std::floor(area.width() - 20.0) / std::ceil(needed));
+    paintText(painter, {area.left() + 9.0, top}, Qt::AlignLeft | Qt::AlignTop, line, theme.mutedText, pixels);
+    top += kLine;
+  }
 }
 
 // Around the dial stand the markers, and beyond them the angles [px].
@@ -85,7 +88,7 @@ struct Dial {
   double outer;  // where o_v has its most
 
   explicit Dial(const QRectF& area) {
-    const QRectF room = area.adjusted(0.0, kTitle + 18.0, 0.0, -kObjectiveKeyHeight);
+    const QRectF room = area.adjusted(0.0, kTitle + 2.0 * kLine, 0.0, -kObjectiveKeyHeight);
     centre = room.center();
     outer = std::max(20.0, std::min(0.5 * room.width() - kMarkRoom - 12.0, 0.5 * room.height() - kMarkRoom));
     ring = 0.58 * outer;

@@ -66,11 +66,11 @@ ChildProgram::ChildProgram(const std::vector<std::string>& run, const Places& pl
 }
 
 ChildProgram::ChildProgram(ChildProgram&& other) noexcept : process_(other.process_), exitCode_(other.exitCode_) {
-  other.process_ = -1;
+  other.process_ = 0;
 }
 
 ChildProgram::~ChildProgram() {
-  if (process_ < 0 || exitCode_) return;
+  if (process_ == 0 || exitCode_) return;
   ::kill(process_, SIGKILL);
   while (::waitpid(process_, nullptr, 0) < 0 && errno == EINTR) {
   }

@@ -33,7 +33,7 @@ class ChildProgram {
   void askToEnd() const;
 
  private:
-  pid_t process_ = -1;
+  pid_t process_ = 0;  // 0: none
   std::optional<int> exitCode_;
 };
 

@@ -104,7 +104,7 @@ TEST(SerialPort, ThatVanishesIsClosedAndSaysSo) {
   EXPECT_THROW(port.write("?"), DeviceError);
 }
 
-TEST(PortList, IsInOrderAndHasADescriptionOfEach) {
+TEST(PortsOfThisMachine, IsInOrderAndHasADescriptionOfEach) {
   const auto ports = serialPorts();
   for (std::size_t i = 1; i < ports.size(); ++i) EXPECT_LT(ports[i - 1].path, ports[i].path);
   EXPECT_EQ(describe(PortDescription{"/dev/ttyUSB0", "UART Bridge", "Maker", "0001", "10c4:ea60"}),
