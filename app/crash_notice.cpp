@@ -6,10 +6,13 @@
 #include <QGuiApplication>
 #include <QPushButton>
 
+#include "help/help_topic.h"
+
 namespace vantage {
 
 CrashNotice::CrashNotice(const CrashTrace& crash, QWidget* parent)
     : QMessageBox(Warning, tr("Vantage"), tr("Vantage broke when it was last used."), NoButton, parent) {
+  setHelpTopic(*this, QStringLiteral("messages#when-something-is-wrong-with-vantage-itself"));
   setAttribute(Qt::WA_DeleteOnClose);
   const QString file = QString::fromStdString(crash.file.filename().string());
   const QString folder = QDir::toNativeSeparators(QString::fromStdString(crash.file.parent_path().string()));

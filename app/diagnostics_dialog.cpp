@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "form_parts.h"
+#include "help/help_topic.h"
 
 namespace vantage {
 
@@ -16,6 +17,7 @@ DiagnosticsDialog::DiagnosticsDialog(Diagnostics diagnostics, QWidget* parent)
       diagnostics_(std::move(diagnostics)),
       text_(new QPlainTextEdit),
       withFiles_(new QCheckBox(tr("With the names of &files and folders"))) {
+  setHelpTopic(*this, QStringLiteral("messages#when-something-is-wrong-with-vantage-itself"));
   setWindowTitle(tr("Diagnostics"));
   auto* layout = new QVBoxLayout(this);
   layout->addWidget(makeLabel(tr("For somebody who is to help. It is sent to nobody: copy it to where it is wanted.")));

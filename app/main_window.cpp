@@ -20,6 +20,8 @@
 #include "docks/log_panel.h"
 #include "docks/session_log.h"
 #include "docks/time_line.h"
+#include "help/help_desk.h"
+#include "help/help_topic.h"
 #include "outlook_text.h"
 #include "report_pictures.h"
 #include "settings/settings_dialog.h"
@@ -67,6 +69,7 @@ MainWindow::MainWindow(const WindowParts& parts, const Preferences& preferences,
       log_(new LogPanel),
       door_(new SessionDoor(parts.controller, wizard_->choosePage(), *this)),
       attention_(new Attention(parts.controller, *this)),
+      help_(new HelpDesk(parts.resources + QStringLiteral("/manual/operator"), *this)),
       notices_(*this) {
   connect(standDesk_, &StandDesk::comparisonWanted, this, [this] { compareStands(standDesk_->stand()); });
   setTabPosition(Qt::RightDockWidgetArea, QTabWidget::North);
@@ -122,6 +125,13 @@ void MainWindow::addDocks() {
   line->raise();
   sides_ = new SideDocks(*this, {objective, space, map, why});
   docks_ = {objective, space, map, why, line, log};
+  setHelpTopic(*objective, QStringLiteral("why#where-to-look-next"));
+  setHelpTopic(*space, QStringLiteral("why#positional-space"));
+  setHelpTopic(*map, QStringLiteral("why#the-map"));
+  setHelpTopic(*why, QStringLiteral("why"));
+  setHelpTopic(*line, QStringLiteral("sessions#the-time-line"));
+  setHelpTopic(*log, QStringLiteral("sessions#the-log"));
+  setHelpTopic(views_->model(), QStringLiteral("window#the-model"));
 }
 
 QAction* MainWindow::addAction(QMenu& menu, const QString& text, const QKeySequence& shortcut,
@@ -150,6 +160,8 @@ void MainWindow::addMenus() {
   addAction(edit, tr("&Settings…"), tr("Ctrl+,"), [this] { editSettings(); });
   addViewMenu();
   QMenu& help = *menuBar()->addMenu(tr("&Help"));
+  help_->addTo(help);
+  help.addSeparator();
   addAction(help, tr("Copy &diagnostics…"), {}, [this] { showDiagnostics(); });
   addAction(help, tr("&About Vantage"), {}, [this] { showAbout(); });
 }

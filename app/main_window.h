@@ -13,6 +13,7 @@
 
 namespace vantage {
 
+class HelpDesk;
 class JobPanel;
 class LogPanel;
 class SessionDoor;
@@ -37,6 +38,7 @@ class MainWindow final : public QMainWindow {
 
   [[nodiscard]] Wizard& wizard() { return *wizard_; }
   [[nodiscard]] SessionViews& views() { return *views_; }
+  [[nodiscard]] HelpDesk& help() { return *help_; }
 
   void applyPreferences(const Preferences& preferences);
   /// Shows how a stand that is not in place yet lies in the object; without a number that of the last of them.
@@ -87,6 +89,7 @@ class MainWindow final : public QMainWindow {
   LogPanel* log_;
   SessionDoor* door_;
   Attention* attention_;
+  HelpDesk* help_;
   Notices notices_;
   SideDocks* sides_ = nullptr;
   QList<QDockWidget*> docks_;  ///< in the order of their keys

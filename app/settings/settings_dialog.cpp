@@ -4,12 +4,14 @@
 #include <QVBoxLayout>
 
 #include "form_parts.h"
+#include "help/help_topic.h"
 #include "settings/field_form.h"
 
 namespace vantage {
 
 SettingsDialog::SettingsDialog(const Preferences& preferences, QWidget* parent)
     : QDialog(parent), before_(preferences), edited_(preferences) {
+  setHelpTopic(*this, QStringLiteral("settings"));
   setWindowTitle(tr("Settings"));
   auto* layout = new QVBoxLayout(this);
   auto* form = new QFormLayout;

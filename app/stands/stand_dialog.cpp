@@ -13,6 +13,7 @@
 #include "acquisition/stand_composites.h"
 #include "docks/job_panel.h"
 #include "form_parts.h"
+#include "help/help_topic.h"
 #include "session_controller.h"
 #include "stands/point_picker.h"
 #include "stands/pose_chooser.h"
@@ -39,6 +40,7 @@ StandDialog::StandDialog(SessionController& controller, JobRunner& jobs, const S
       pick_(makeButton(tr("&Pick points…"), QStringLiteral("pickPoints"),
                        tr("Click the same places on object and stand, where no pose is found without them."))),
       close_(makeButton(tr("Close"), QStringLiteral("closeStands"), tr("Closes this window."))) {
+  setHelpTopic(*this, QStringLiteral("turn_over#how-the-stands-lie-in-each-other"));
   setWindowTitle(tr("How the stands lie in each other"));
   resize(1000, 660);
   build(jobs);

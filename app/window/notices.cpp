@@ -4,6 +4,8 @@
 #include <QDir>
 #include <QFileInfo>
 
+#include "help/help_topic.h"
+
 namespace vantage {
 namespace {
 
@@ -36,6 +38,7 @@ void Notices::show(const QString& what, const QStringList& details) {
     said_ = details;
     box_ = new QMessageBox(QMessageBox::Warning, Text::tr("Vantage"), text.sentence, QMessageBox::Ok, &window_);
     box_->setAttribute(Qt::WA_DeleteOnClose);
+    setHelpTopic(*box_, QStringLiteral("messages"));
     box_->setTextInteractionFlags(Qt::TextSelectableByMouse);
     box_->setInformativeText(text.place);
     if (!said_.isEmpty()) box_->setDetailedText(said_.join(QLatin1Char('\n')));

@@ -9,6 +9,7 @@
 #include <QSettings>
 #include <QStandardPaths>
 
+#include "help/help_topic.h"
 #include "wizard/choose_page.h"
 #include "wizard/import_dialog.h"
 
@@ -51,6 +52,7 @@ void SessionDoor::offerToLook(const QString& path, const QString& why) {
                               &window_);
   box->setAttribute(Qt::WA_DeleteOnClose);
   box->setObjectName(QStringLiteral("sessionInUse"));
+  setHelpTopic(*box, QStringLiteral("sessions#a-session-that-another-program-writes-to"));
   box->setInformativeText(
       tr("You can look at it as it is now: everything is shown and can be exported, nothing is changed."));
   QPushButton* look = box->addButton(tr("&Open to look at"), QMessageBox::AcceptRole);

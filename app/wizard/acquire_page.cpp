@@ -10,6 +10,7 @@
 #include "ending_text.h"
 #include "form_parts.h"
 #include "geometry/measures.h"
+#include "help/help_topic.h"
 #include "outlook_text.h"
 #include "report/areas_known.h"
 #include "stand_desk.h"
@@ -50,6 +51,7 @@ AcquirePage::AcquirePage(SessionController& controller, StandDesk& stands, QWidg
       turnOver_(makeButton(tr("T&urn over…"), QStringLiteral("turnOver"),
                            tr("Put the object on another side, to scan what this stand hides."))),
       stands_(stands) {
+  setHelpTopic(*this, QStringLiteral("acquire"));
   build();
   connect(mode_, &QTabBar::currentChanged, this,
           [this](int tab) { this->controller().setMode(tab == 1 ? Mode::Assisted : Mode::Automatic); });
@@ -228,8 +230,7 @@ void AcquirePage::refreshFigures() {
   if (!plan || !plan->voids) return;
   const auto open =
       std::count_if(plan->outlook.begin(), plan->outlook.end(), [](const auto& o) { return !o.answered; });
-  figures_->add(tr("Unseen edges"), countText(plan->voids->patches.size()),
-                tr("%1 still attract views").arg(open));
+  figures_->add(tr("Unseen edges"), countText(plan->voids->patches.size()), tr("%1 still attract views").arg(open));
 }
 
 }  // namespace vantage

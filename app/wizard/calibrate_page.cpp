@@ -7,6 +7,7 @@
 
 #include "form_parts.h"
 #include "geometry/measures.h"
+#include "help/help_topic.h"
 #include "report/wording.h"
 #include "why_card.h"
 #include "wording.h"
@@ -51,6 +52,7 @@ CalibratePage::CalibratePage(SessionController& controller, QWidget* parent)
       findings_(makeLabel({})),
       use_(makeButton(tr("&Use this calibration"), QStringLiteral("useCalibration"),
                       tr("Write it to a file in the folder of the session, and scan with it."))) {
+  setHelpTopic(*this, QStringLiteral("calibrate"));
   column().addWidget(makeLabel(tr("Put any object on the table that looks different from every side, not round, and "
                                   "well in sight of the scanner. The table is turned through 60 to 200 degrees."),
                                "muted"));

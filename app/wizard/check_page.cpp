@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "form_parts.h"
+#include "help/help_topic.h"
 #include "planning/turn_spread.h"
 #include "report/wording.h"
 #include "why_card.h"
@@ -37,6 +38,7 @@ CheckPage::CheckPage(SessionController& controller, QWidget* parent)
           tr("Scan twice, a few positions apart, and compare the turn with the profile. Neither scan is kept."))),
       turnVerdict_(makeLabel({})),
       turnFigures_(new FigureTable) {
+  setHelpTopic(*this, QStringLiteral("check"));
   column().addWidget(memory_);
   column().addWidget(devicesTitle_);
   column().addWidget(devices_);

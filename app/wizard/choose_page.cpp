@@ -13,6 +13,7 @@
 
 #include "base/errors.h"
 #include "form_parts.h"
+#include "help/help_topic.h"
 #include "io/mesh_reader.h"
 #include "settings/settings_form.h"
 #include "wizard/device_editor.h"
@@ -67,6 +68,7 @@ QToolButton* browseButton(const QString& what) {
 
 ChoosePage::ChoosePage(SessionController& controller, const QString& resources, QWidget* parent)
     : WizardPage(controller, parent), resources_(resources) {
+  setHelpTopic(*this, QStringLiteral("choose"));
   build();
   fill(*scanner_, QStringLiteral("scanners"), QStringLiteral("*.json"), QStringLiteral("rotating_stripe.json"));
   fill(*object_, QStringLiteral("objects"), QStringLiteral("*.ply"), kPreferredObject);

@@ -9,6 +9,7 @@
 
 #include "acquisition/stand_composites.h"
 #include "form_parts.h"
+#include "help/help_topic.h"
 #include "integration/colouring.h"
 #include "stand_text.h"
 #include "wizard/print_dialog.h"
@@ -30,6 +31,7 @@ FinishPage::FinishPage(SessionController& controller, QWidget* parent)
       place_(makeLabel({}, "muted")),
       missing_(makeLabel({}, "warning")),
       written_(makeLabel({})) {
+  setHelpTopic(*this, QStringLiteral("finish"));
   addSection(tr("Export the model"));
   column().addWidget(place_);
   column().addWidget(missing_);

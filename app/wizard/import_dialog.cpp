@@ -13,6 +13,7 @@
 #include <algorithm>
 
 #include "form_parts.h"
+#include "help/help_topic.h"
 #include "scanner/length_unit.h"
 #include "session_controller.h"
 #include "wizard/scan_list.h"
@@ -102,6 +103,7 @@ ImportDialog::ImportDialog(SessionController& controller, Into into, QWidget* pa
       folder_(new QLineEdit),
       complaint_(makeLabel(QString(), "warning")),
       buttons_(new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel)) {
+  setHelpTopic(*this, QStringLiteral("import"));
   setWindowTitle(into == Into::NewSession ? tr("Import recorded scans") : tr("Add scans to the session"));
   resize(760, 580);
   build();

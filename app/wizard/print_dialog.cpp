@@ -11,6 +11,7 @@
 #include <limits>
 
 #include "form_parts.h"
+#include "help/help_topic.h"
 
 namespace vantage {
 namespace {
@@ -54,6 +55,7 @@ PrintDialog::PrintDialog(QWidget* parent)
                     tr("One closed surface in one piece that passes nowhere through itself. Otherwise nothing is "
                        "written, and you learn why."),
                     true)) {
+  setHelpTopic(*this, QStringLiteral("finish#ready-to-print"));
   setObjectName(QStringLiteral("printDialog"));
   setWindowTitle(tr("Ready to print"));
   close_->setObjectName(QStringLiteral("closeOpenings"));

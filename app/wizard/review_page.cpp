@@ -9,6 +9,7 @@
 #include "ending_text.h"
 #include "form_parts.h"
 #include "geometry/measures.h"
+#include "help/help_topic.h"
 #include "report/areas_known.h"
 #include "report/edges_left.h"
 #include "report/reading_words.h"
@@ -63,6 +64,7 @@ ReviewPage::ReviewPage(SessionController& controller, QWidget* parent)
                          tr("Make the model without this view, or take it back. The scan is kept."))),
       turnOver_(makeButton(tr("T&urn the object over…"), QStringLiteral("turnOver"),
                            tr("Put the object on another side, to scan what this stand hides."))) {
+  setHelpTopic(*this, QStringLiteral("review"));
   column().addWidget(reason_);
   column().addWidget(stands_);
   stands_->setObjectName(QStringLiteral("stands"));

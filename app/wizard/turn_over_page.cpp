@@ -4,6 +4,7 @@
 #include <QVBoxLayout>
 
 #include "form_parts.h"
+#include "help/help_topic.h"
 #include "stand_desk.h"
 #include "views/stand_view.h"
 #include "why_card.h"
@@ -36,6 +37,7 @@ TurnOverPage::TurnOverPage(SessionController& controller, StandDesk& desk, const
                          tr("Begin a new stand. What was scanned before is kept aside until it is known how the object "
                             "was turned over."),
                          true)) {
+  setHelpTopic(*this, QStringLiteral("turn_over"));
   build();
   connect(sides_, &StandSides::sideChosen, this, &TurnOverPage::showSide);
   connect(again_, &QPushButton::clicked, &desk, &StandDesk::look);

@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "form_parts.h"
+#include "help/help_topic.h"
 #include "window/page_scroll.h"
 
 namespace vantage {
@@ -38,6 +39,7 @@ Wizard::Wizard(SessionController& controller, StandDesk& stands, const SurfaceMa
         static_cast<WizardPage*>(turnOver_), static_cast<WizardPage*>(review_), static_cast<WizardPage*>(finish_)})
     addPage(page);
   build();
+  setHelpTopic(*this, helpTopicOf(&page()));
   connect(back_, &QPushButton::clicked, this, &Wizard::goBack);
   connect(next_, &QPushButton::clicked, this, &Wizard::goOn);
   connect(&controller, &SessionController::sessionChanged, this, &Wizard::reopen);
@@ -93,6 +95,7 @@ void Wizard::goTo(int index) {
   index_ = index;
   stack_->setCurrentIndex(index);
   controller_.rememberPage(page().key());
+  setHelpTopic(*this, helpTopicOf(&page()));
   pages_[static_cast<std::size_t>(index)]->entered();
   refresh();
 }

@@ -42,12 +42,14 @@ set(CPACK_DEBIAN_DATA_PACKAGE_ARCHITECTURE all)
 set(CPACK_DEBIAN_DATA_DESCRIPTION
 "scanners, turntables and sample objects of Vantage
 ${about}This package has profiles of scanners and turntables, sample objects for the
-simulated scanners, and the rules that let whoever sits at the machine use
-turntables and depth cameras.")
+simulated scanners, the manual that the window shows, and the rules that let
+whoever sits at the machine use turntables and depth cameras.")
 
 set(CPACK_DEBIAN_DOC_PACKAGE_NAME vantage-doc)
 set(CPACK_DEBIAN_DOC_PACKAGE_SECTION doc)
 set(CPACK_DEBIAN_DOC_PACKAGE_ARCHITECTURE all)
+set(CPACK_DEBIAN_DOC_PACKAGE_DEPENDS "vantage-data ${same}")
 set(CPACK_DEBIAN_DOC_DESCRIPTION
 "manual of the scanning workstation Vantage
-${about}This package has the manual: devices, calibration, stands, colours, batches.")
+${about}This package has the manual among the documents: for operators, and on devices,
+calibration, stands, colours, batches.")

@@ -29,7 +29,8 @@ for file in "$root"/bin/* "$root"/libexec/vantage/*; do
   done
 done
 for file in share/vantage/scanners/rotating_stripe.json share/vantage/objects/mug.ply share/vantage/turntables/grbl.json \
-  share/doc/vantage/manual/devices.md share/man/man1/vantage-cli.1 share/bash-completion/completions/vantage-cli \
+  share/doc/vantage/manual/devices.md share/vantage/manual/operator/contents.md \
+  share/vantage/manual/operator/pictures/window.png share/vantage/manual/devices.md share/man/man1/vantage-cli.1 share/bash-completion/completions/vantage-cli \
   lib/udev/rules.d/60-vantage.rules; do
   [[ -s $root/$file ]] || fail "$file was not installed"
 done
