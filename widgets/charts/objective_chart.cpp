@@ -68,7 +68,7 @@ void paintHead(QPainter& painter, const QRectF& area, const ObjectiveChartData& 
                    : Text::tr(", ruled out"));
   constexpr double kPixels = 12.0;
   const double needed = QFontMetricsF(pictureFont(kPixels)).horizontalAdvance(line);
-  const double pixels = kPixels * std::min(1.0, (area.width() - 20.0) / needed);
+  const double pixels = std::floor(kPixels * std::min(1.0, (area.width() - 20.0) / needed));
   paintText(painter, {area.left() + 9.0, area.top() + 26.0}, Qt::AlignLeft | Qt::AlignTop, line, theme.mutedText,
             pixels);
 }
