@@ -1611,7 +1611,7 @@
     </message>
     <message>
         <source>Most views</source>
-        <translation>Höchstzahl der Ansichten</translation>
+        <translation>Meiste Ansichten</translation>
     </message>
     <message>
         <source>Stop after so many views.</source>
@@ -1651,7 +1651,7 @@
     </message>
     <message>
         <source>Unit of the mesh</source>
-        <translation>Einheit des Netzes</translation>
+        <translation>Netzeinheit</translation>
     </message>
     <message>
         <source>Millimetres in a unit of the mesh file: 10 for centimetres, 25.4 for inches, 1000 for metres.</source>
@@ -1679,7 +1679,7 @@
     </message>
     <message>
         <source>Least confidence</source>
-        <translation>Kleinste Konfidenz</translation>
+        <translation>Min. Konfidenz</translation>
     </message>
     <message>
         <source>Surface sampled at a smaller cosine than this attracts another view; 0 switches it off.</source>
@@ -2075,7 +2075,7 @@
     </message>
     <message>
         <source>Cut to the viewing volume</source>
-        <translation>Auf das Messvolumen zuschneiden</translation>
+        <translation>Volumen zuschneiden</translation>
     </message>
     <message>
         <source>What a scan shows of the table, and of what stands outside of the viewing volume, is not used.</source>
@@ -2083,7 +2083,7 @@
     </message>
     <message>
         <source>Margin above the table</source>
-        <translation>Abstand über dem Tisch</translation>
+        <translation>Über dem Tisch</translation>
     </message>
     <message>
         <source>What lies lower than this above the table is not used; auto follows spacing and noise of the samples.</source>
@@ -2091,7 +2091,7 @@
     </message>
     <message>
         <source>Margin inside the radius</source>
-        <translation>Abstand innerhalb des Radius</translation>
+        <translation>Innerer Abstand</translation>
     </message>
     <message>
         <source>The cut is so much narrower than the viewing volume.</source>
@@ -2099,7 +2099,7 @@
     </message>
     <message>
         <source>Drop flying samples</source>
-        <translation>Fliegende Messpunkte verwerfen</translation>
+        <translation>Ohne Flugpunkte</translation>
     </message>
     <message>
         <source>Samples that lie between front and back of an edge are not used.</source>
@@ -2107,7 +2107,7 @@
     </message>
     <message>
         <source>Jump of a flying sample</source>
-        <translation>Sprung eines fliegenden Messpunkts</translation>
+        <translation>Sprung (Flugpunkt)</translation>
     </message>
     <message>
         <source>Neighbours are apart by a jump when they are farther from each other than so many times what surface at the breakdown angle explains.</source>
@@ -2115,7 +2115,7 @@
     </message>
     <message>
         <source>Drop isolated samples</source>
-        <translation>Einzelne Messpunkte verwerfen</translation>
+        <translation>Ohne Einzelpunkte</translation>
     </message>
     <message>
         <source>Samples that no neighbour belongs to are not used.</source>
@@ -2123,7 +2123,7 @@
     </message>
     <message>
         <source>Smallest piece of a scan</source>
-        <translation>Kleinstes Stück eines Scans</translation>
+        <translation>Kleinstes Stück</translation>
     </message>
     <message>
         <source>Pieces of a scan of fewer samples are not used.</source>
@@ -2131,7 +2131,7 @@
     </message>
     <message>
         <source>Spacing worked with</source>
-        <translation>Verarbeiteter Punktabstand</translation>
+        <translation>Arbeitsabstand</translation>
     </message>
     <message>
         <source>Samples nearer to each other than this are thinned by whole rows and columns, in what is worked on and not in what is kept; 0: none are; auto: those of a scanner with more than 1.5 million rays.</source>

@@ -26,7 +26,8 @@ namespace vantage::testing {
   }
   // Behind the last word, before what ends the text.
   qsizetype end = changed.size();
-  while (end > 0 && !changed[end - 1].isLetterOrNumber()) --end;
+  while (end > 0 && !changed[end - 1].isLetterOrNumber())
+    end = changed[end - 1] == u'>' ? changed.lastIndexOf(u'<', end - 1) : end - 1;
   QString more;
   for (qsizetype i = 0; i < (2 * text.size() + 4) / 5; ++i) more += i % 7 == 3 ? u' ' : u'ö';
   return changed.insert(end, more.trimmed());

@@ -60,7 +60,6 @@ INSTANTIATE_TEST_SUITE_P(Window, Pages,
                          ::testing::Values(Look{"light", {1280, 800}, false, true},
                                            Look{"dark", {1280, 800}, true, true},
                                            Look{"wide", {1920, 1080}, false, false},
-                                           Look{"pseudo", {1920, 1080}, false, false, "pseudo"},
                                            Look{"german", {1280, 800}, false, false, "de"},
                                            Look{"chinese", {1280, 800}, true, false, "zh_CN"}),
                          [](const auto& p) { return p.param.name; });

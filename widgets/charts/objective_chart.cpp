@@ -70,7 +70,7 @@ void paintHead(QPainter& painter, const QRectF& area, const ObjectiveChartData& 
   double top = area.top() + kTitle - 4.0;
   for (const QString& line : {place, areas}) {
     const double needed = QFontMetricsF(pictureFont(kSmall)).horizontalAdvance(line);
-    const double pixels = kSmall * std::min(1.0, std::floor(area.width() - 20.0) / std::ceil(needed));
+    const double pixels = std::floor(kSmall * std::min(1.0, (area.width() - 20.0) / needed));
     paintText(painter, {area.left() + 9.0, top}, Qt::AlignLeft | Qt::AlignTop, line, theme.mutedText, pixels);
     top += kLine;
   }
