@@ -26,7 +26,7 @@ void anchorHeading(const QTextBlock& block) {
 void fitPictures(const QTextBlock& block, const QUrl& page) {
   for (auto part = block.begin(); !part.atEnd(); ++part) {
     QTextImageFormat picture = part.fragment().charFormat().toImageFormat();
-    if (!picture.isValid()) continue;
+    if (!picture.isValid() || picture.width() > 0.0) continue;
     const QSize size = QImageReader(page.resolved(QUrl(picture.name())).toLocalFile()).size();
     if (size.width() <= kWidestPicture) continue;
     picture.setWidth(kWidestPicture);
