@@ -613,10 +613,6 @@
         <translation>Keine weitere Ansicht</translation>
     </message>
     <message>
-        <source>position %1, at %2: void %3, overlap %4</source>
-        <translation>Position %1, %2: o_v %3, o_s %4</translation>
-    </message>
-    <message>
         <source>, taken</source>
         <translation>, aufgenommen</translation>
     </message>
@@ -671,6 +667,14 @@
     <message>
         <source>ruled out</source>
         <translation>gesperrt</translation>
+    </message>
+    <message>
+        <source>position %1, at %2</source>
+        <translation>Position %1, %2</translation>
+    </message>
+    <message>
+        <source>void %1, overlap %2</source>
+        <translation>ungesehen %1, Überlappung %2</translation>
     </message>
 </context>
 <context>
@@ -4065,6 +4069,84 @@ passte nicht</translation>
     </message>
 </context>
 <context>
+    <name>vantage::HelpDesk</name>
+    <message>
+        <source>&amp;Manual</source>
+        <translation>&amp;Handbuch</translation>
+    </message>
+    <message>
+        <source>M&amp;essages and what to do</source>
+        <translation>&amp;Meldungen und was zu tun ist</translation>
+    </message>
+    <message>
+        <source>&amp;Keyboard</source>
+        <translation>&amp;Tastatur</translation>
+    </message>
+    <message>
+        <source>&amp;Words</source>
+        <translation>&amp;Begriffe</translation>
+    </message>
+</context>
+<context>
+    <name>vantage::HelpWindow</name>
+    <message>
+        <source>Manual – Vantage</source>
+        <translation>Handbuch – Vantage</translation>
+    </message>
+    <message>
+        <source>The manual is not there: %1 cannot be read. On Debian it comes with the package vantage-data.</source>
+        <translation>Das Handbuch fehlt: %1 kann nicht gelesen werden. Unter Debian kommt es mit dem Paket vantage-data.</translation>
+    </message>
+    <message>
+        <source>&amp;Back</source>
+        <translation type="unfinished">&amp;Zurück</translation>
+    </message>
+    <message>
+        <source>The page before (Alt+Left).</source>
+        <translation>Die Seite davor (Alt+Links).</translation>
+    </message>
+    <message>
+        <source>&amp;Forward</source>
+        <translation>&amp;Vorwärts</translation>
+    </message>
+    <message>
+        <source>The page after (Alt+Right).</source>
+        <translation>Die Seite danach (Alt+Rechts).</translation>
+    </message>
+    <message>
+        <source>&amp;Contents</source>
+        <translation>&amp;Inhalt</translation>
+    </message>
+    <message>
+        <source>All chapters (Alt+Home).</source>
+        <translation>Alle Kapitel (Alt+Pos1).</translation>
+    </message>
+    <message>
+        <source>No page was shown before.</source>
+        <translation>Davor wurde keine Seite gezeigt.</translation>
+    </message>
+    <message>
+        <source>No page comes after.</source>
+        <translation>Danach kommt keine Seite.</translation>
+    </message>
+    <message>
+        <source>Search all pages (Ctrl+F)</source>
+        <translation>Alle Seiten durchsuchen (Strg+F)</translation>
+    </message>
+    <message>
+        <source>Words to search for in all pages</source>
+        <translation>Wörter, die auf allen Seiten gesucht werden</translation>
+    </message>
+    <message>
+        <source>Chapters, or what was found</source>
+        <translation>Kapitel, oder was gefunden wurde</translation>
+    </message>
+    <message>
+        <source>No section of the manual has these words.</source>
+        <translation>Kein Abschnitt des Handbuchs hat diese Wörter.</translation>
+    </message>
+</context>
+<context>
     <name>vantage::ImportDialog</name>
     <message>
         <source>Scanner</source>
@@ -4573,6 +4655,13 @@ Apache License 2.0. Made with Qt, VTK, Embree, Eigen, OpenMesh, assimp and SQLit
 Eine Scan-Arbeitsstation, die entscheidet, von wo als Nächstes gescannt wird, nach R. Pito, „A Solution to the Next Best View Problem for Automated Surface Acquisition“, 1999.
 
 Apache-Lizenz 2.0. Erstellt mit Qt, VTK, Embree, Eigen, OpenMesh, assimp und SQLite.</translation>
+    </message>
+</context>
+<context>
+    <name>vantage::ManualBrowser</name>
+    <message>
+        <source>Page of the manual</source>
+        <translation>Seite des Handbuchs</translation>
     </message>
 </context>
 <context>

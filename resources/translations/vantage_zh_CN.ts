@@ -613,10 +613,6 @@
         <translation>没有下一视图</translation>
     </message>
     <message>
-        <source>position %1, at %2: void %3, overlap %4</source>
-        <translation>位置 %1，%2：未知 %3，重叠 %4</translation>
-    </message>
-    <message>
         <source>, taken</source>
         <translation>，已采集</translation>
     </message>
@@ -671,6 +667,14 @@
     <message>
         <source>ruled out</source>
         <translation>已排除</translation>
+    </message>
+    <message>
+        <source>position %1, at %2</source>
+        <translation>位置 %1，%2</translation>
+    </message>
+    <message>
+        <source>void %1, overlap %2</source>
+        <translation>未知 %1，重叠 %2</translation>
     </message>
 </context>
 <context>
@@ -4056,6 +4060,84 @@ did not fit</source>
     </message>
 </context>
 <context>
+    <name>vantage::HelpDesk</name>
+    <message>
+        <source>&amp;Manual</source>
+        <translation>手册(&amp;M)</translation>
+    </message>
+    <message>
+        <source>M&amp;essages and what to do</source>
+        <translation>消息与处理办法(&amp;E)</translation>
+    </message>
+    <message>
+        <source>&amp;Keyboard</source>
+        <translation>键盘(&amp;K)</translation>
+    </message>
+    <message>
+        <source>&amp;Words</source>
+        <translation>术语(&amp;W)</translation>
+    </message>
+</context>
+<context>
+    <name>vantage::HelpWindow</name>
+    <message>
+        <source>Manual – Vantage</source>
+        <translation>手册 – Vantage</translation>
+    </message>
+    <message>
+        <source>The manual is not there: %1 cannot be read. On Debian it comes with the package vantage-data.</source>
+        <translation>手册不存在：无法读取 %1。在 Debian 上它随软件包 vantage-data 一起安装。</translation>
+    </message>
+    <message>
+        <source>&amp;Back</source>
+        <translation type="unfinished">上一步(&amp;B)</translation>
+    </message>
+    <message>
+        <source>The page before (Alt+Left).</source>
+        <translation>上一页（Alt+左）。</translation>
+    </message>
+    <message>
+        <source>&amp;Forward</source>
+        <translation>前进(&amp;F)</translation>
+    </message>
+    <message>
+        <source>The page after (Alt+Right).</source>
+        <translation>下一页（Alt+右）。</translation>
+    </message>
+    <message>
+        <source>&amp;Contents</source>
+        <translation>目录(&amp;C)</translation>
+    </message>
+    <message>
+        <source>All chapters (Alt+Home).</source>
+        <translation>所有章节（Alt+Home）。</translation>
+    </message>
+    <message>
+        <source>No page was shown before.</source>
+        <translation>之前没有显示过页面。</translation>
+    </message>
+    <message>
+        <source>No page comes after.</source>
+        <translation>后面没有页面了。</translation>
+    </message>
+    <message>
+        <source>Search all pages (Ctrl+F)</source>
+        <translation>搜索所有页面（Ctrl+F）</translation>
+    </message>
+    <message>
+        <source>Words to search for in all pages</source>
+        <translation>要在所有页面中搜索的词</translation>
+    </message>
+    <message>
+        <source>Chapters, or what was found</source>
+        <translation>章节，或搜索结果</translation>
+    </message>
+    <message>
+        <source>No section of the manual has these words.</source>
+        <translation>手册中没有包含这些词的章节。</translation>
+    </message>
+</context>
+<context>
     <name>vantage::ImportDialog</name>
     <message>
         <source>Scanner</source>
@@ -4564,6 +4646,13 @@ Apache License 2.0. Made with Qt, VTK, Embree, Eigen, OpenMesh, assimp and SQLit
 能决定下一步从何处扫描的扫描工作站，依据 R. Pito，“A Solution to the Next Best View Problem for Automated Surface Acquisition”，1999。
 
 Apache 许可证 2.0。使用 Qt、VTK、Embree、Eigen、OpenMesh、assimp 和 SQLite 构建。</translation>
+    </message>
+</context>
+<context>
+    <name>vantage::ManualBrowser</name>
+    <message>
+        <source>Page of the manual</source>
+        <translation>手册页面</translation>
     </message>
 </context>
 <context>
