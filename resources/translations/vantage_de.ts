@@ -4099,7 +4099,7 @@ passte nicht</translation>
     </message>
     <message>
         <source>&amp;Back</source>
-        <translation type="unfinished">&amp;Zurück</translation>
+        <translation>&amp;Zurück</translation>
     </message>
     <message>
         <source>The page before (Alt+Left).</source>

@@ -4090,7 +4090,7 @@ did not fit</source>
     </message>
     <message>
         <source>&amp;Back</source>
-        <translation type="unfinished">上一步(&amp;B)</translation>
+        <translation>上一步(&amp;B)</translation>
     </message>
     <message>
         <source>The page before (Alt+Left).</source>
