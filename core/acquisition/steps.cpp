@@ -53,8 +53,8 @@ void liftDoubt(KeptScan& scan, const ViewSurface& surface, double poseSigma, con
 
 // Views that a person turned fit only together with doubtful ones as long as they are a chain; once it closes, an error
 // of one link would show.
-void liftClosedLoops(AcquisitionState& state, const std::vector<PreparedView>& prepared, const StepOptions& options,
-                     const Progress& progress) {
+void liftClosedLoops(AcquisitionState& state, const std::vector<PreparedView>& prepared,
+                     const std::vector<double>& poseSigmas, const StepOptions& options, const Progress& progress) {
   std::vector<KeptScan*> open;
   std::vector<Pose> poses;
   std::vector<bool> known;
@@ -74,8 +74,11 @@ void liftClosedLoops(AcquisitionState& state, const std::vector<PreparedView>& p
   const std::vector<bool> held = heldByLoops(tiesAmong(prepared, poses, wanted, free, progress), known);
   for (std::size_t i = 0; i < open.size(); ++i) {
     if (!open[i] || !held[i]) continue;
-    open[i]->record.registration.verdict = Verdict::Good;
-    open[i]->record.registration.finding = {VerdictReason::HeldByAll, std::nullopt, {}};
+    if (poseSigmas[i] > *resolved(free, scaleOf(prepared[i].surface)).limits.maxPoseSigma) continue;
+    RegistrationResult& registration = open[i]->record.registration;
+    registration.verdict = Verdict::Good;
+    registration.finding = {VerdictReason::HeldByAll, std::nullopt, {}};
+    registration.poseSigma = poseSigmas[i];
   }
 }
 
@@ -159,7 +162,7 @@ void refineModelViews(AcquisitionState& state, const StepOptions& options, const
     liftDoubt(scan, prepared[i].surface, refined.poseSigmas[i], options);
     ++i;
   }
-  liftClosedLoops(state, prepared, options, progress.part(0.8, 1.0));
+  liftClosedLoops(state, prepared, refined.poseSigmas, options, progress.part(0.8, 1.0));
 }
 
 AcquisitionState addScan(const AcquisitionState& state, const NumberedScan& scan,

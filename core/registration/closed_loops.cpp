@@ -35,8 +35,9 @@ bool isTied(const PreparedView& view, const PreparedView& other, const Pose& T_o
   points.append(thinnedPoints(other.points, kPoints), Pose::Identity());
   const RegistrationResult result =
       registerView(view.surface, T_other_view, RegistrationTarget(std::move(points)), options, progress);
-  return result.verdict == Verdict::Good &&
-         farthestMove(view.surface, result.T_object_scanner, T_other_view) <= scale.spacing;
+  const bool fits = result.verdict == Verdict::Good ||
+                    (result.verdict == Verdict::Doubtful && result.finding.reason == VerdictReason::HeldByMechanics);
+  return fits && farthestMove(view.surface, result.T_object_scanner, T_other_view) <= scale.spacing;
 }
 
 // Ties as a graph whose known views are one vertex.

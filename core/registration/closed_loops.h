@@ -14,8 +14,9 @@ namespace vantage {
 /// Two views that fit each other where they are, without any third.
 using ViewTie = std::pair<std::size_t, std::size_t>;
 
-/// The ties among views at these poses: pairs of which one, registered with the other alone, is good and stays within
-/// the spacing of the samples of where it is.
+/// The ties among views at these poses: pairs of which one, registered with the other alone, fits and stays within the
+/// spacing of the samples of where it is. It may slide on the other: what a loop leaves open the sigmas of a refinement
+/// of all views tell.
 /// @param options without a prior: surface alone ties
 /// @param wanted one per view: nothing is tied to those without
 /// @throws Cancelled
