@@ -121,9 +121,10 @@ TEST(HelpTopics, EveryDialogAndPageHasOneThatIsInTheManual) {
       EXPECT_TRUE(manual.has(topic)) << file.toStdString() << ": " << topic.toStdString();
     }
     for (auto match = kWindow.globalMatch(text); match.hasNext(); ++windows) {
+      const QString name = match.next().captured(1);
       const QString source = testing::textOf(QString(file).replace(QStringLiteral(".h"), QStringLiteral(".cpp")));
       EXPECT_TRUE(source.contains(QStringLiteral("setHelpTopic(*this")))
-          << match.next().captured(1).toStdString() << " names no page of the manual";
+          << name.toStdString() << " names no page of the manual";
     }
   }
   EXPECT_GE(topics, 20);
