@@ -60,7 +60,10 @@ std::unique_ptr<const PlanningScene> sceneOf(const ScannerProfile& profile, cons
   if (taken.empty()) input.views.push_back(viewFrom(Pose(Eigen::Translation3d(0, 0, 1e5))));
   auto voids = std::make_shared<VoidSurface>();
   voids->patches = patches;
-  return std::make_unique<const PlanningScene>(std::move(input), std::move(voids), options, Progress());
+  // Views without images have carved nothing that a forecast could begin with.
+  PlannerOptions byPatches = options;
+  byPatches.forecast = false;
+  return std::make_unique<const PlanningScene>(std::move(input), std::move(voids), byPatches, Progress());
 }
 
 ScannedObject::ScannedObject(const std::vector<int>& positions)
