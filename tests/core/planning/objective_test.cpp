@@ -64,7 +64,9 @@ TEST(VoidObjective, LeavesOutWhatAViewSawAsSquarely) {
 TEST(VoidObjective, IsWhatEverySightingOfItsImageAddsToThePositionsOfItsCell) {
   const testing::ScannedObject object({0, 5});
   const ScannerImages images = computeScannerImages(*object.profile);
-  const PlanningScene scene(object.input(), {}, {});
+  PlannerOptions byPatches;
+  byPatches.forecast = false;
+  const PlanningScene scene(object.input(), byPatches, {});
   const PositionalImage image = voidImage(scene, images, {});
   std::vector<double> sums(object.profile->workspace.size(), 0.0);
   std::vector<double> sightings(sums.size(), 0.0);
