@@ -104,6 +104,7 @@ TEST_F(SessionTest, BringsBackADoubtAndThatLaterScansLiftedIt) {
   // Every view is sent where it shows the most, whether or not it overlaps.
   settings.planner.leastOverlap = 1e9;
   settings.planner.maxRelaxations = 0;
+  settings.planner.forecast = false;
   {
     Session session = createSmallSession(path(), settings);
     Acquisition acquisition(session, testing::smallTools(session.profile(), settings));
