@@ -41,6 +41,9 @@ constexpr int kLayoutVersion = 1;
 // Of the docks on the left and on the right at first [px].
 constexpr int kGuideWidth = 340;
 constexpr int kSideWidth = 350;
+constexpr double kMostShare = 0.28;  // of the window's width, each
+// What the model is given at least; docks on the right make room for it [px].
+constexpr int kLeastModelWidth = 240;
 
 // An action that cannot be had now says why.
 void allow(QAction& action, const QString& whyNot) {
@@ -78,6 +81,7 @@ MainWindow::MainWindow(const WindowParts& parts, const Preferences& preferences,
   setAcceptDrops(true);
   addDocks();
   // After the docks: whoever goes by the keyboard comes by the page first.
+  views_->model().setMinimumWidth(kLeastModelWidth);
   setCentralWidget(&views_->model());
   firstLayout_ = saveState(kLayoutVersion);
   addMenus();
@@ -370,7 +374,8 @@ void MainWindow::changeEvent(QEvent* event) {
 // As wide as they are meant to be: only a window that is shown can share its width out.
 void MainWindow::layOutDocks() {
   auto* guide = findChild<QDockWidget*>(QStringLiteral("wizardDock"));
-  resizeDocks({guide, docks_[0]}, {kGuideWidth, kSideWidth}, Qt::Horizontal);
+  const int most = static_cast<int>(kMostShare * width());
+  resizeDocks({guide, docks_[0]}, {std::min(kGuideWidth, most), std::min(kSideWidth, most)}, Qt::Horizontal);
   resizeDocks({docks_[0], docks_[3]}, {300, 340}, Qt::Vertical);
   resizeDocks({docks_[4]}, {96}, Qt::Vertical);
 }

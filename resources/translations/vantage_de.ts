@@ -4084,7 +4084,7 @@ passte nicht</translation>
     </message>
     <message>
         <source>&amp;Words</source>
-        <translation>&amp;Begriffe</translation>
+        <translation>Be&amp;griffe</translation>
     </message>
 </context>
 <context>
