@@ -637,10 +637,6 @@
         <translation>Noch kein Plan</translation>
     </message>
     <message>
-        <source>o_v: void</source>
-        <translation>o_v: Leerraum</translation>
-    </message>
-    <message>
         <source>F = %1</source>
         <translation>F = %1</translation>
     </message>
@@ -673,8 +669,12 @@
         <translation>Position %1, %2</translation>
     </message>
     <message>
-        <source>void %1, overlap %2</source>
-        <translation>ungesehen %1, Überlappung %2</translation>
+        <source>would show %1, overlap %2</source>
+        <translation>würde %1 zeigen, Überlappung %2</translation>
+    </message>
+    <message>
+        <source>o_v: would show</source>
+        <translation>o_v: würde zeigen</translation>
     </message>
 </context>
 <context>

@@ -637,10 +637,6 @@
         <translation>尚无规划</translation>
     </message>
     <message>
-        <source>o_v: void</source>
-        <translation>o_v：未知</translation>
-    </message>
-    <message>
         <source>F = %1</source>
         <translation>F = %1</translation>
     </message>
@@ -673,8 +669,12 @@
         <translation>位置 %1，%2</translation>
     </message>
     <message>
-        <source>void %1, overlap %2</source>
-        <translation>未知 %1，重叠 %2</translation>
+        <source>would show %1, overlap %2</source>
+        <translation>将显示 %1，重叠 %2</translation>
+    </message>
+    <message>
+        <source>o_v: would show</source>
+        <translation>o_v：将显示</translation>
     </message>
 </context>
 <context>

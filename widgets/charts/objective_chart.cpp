@@ -66,7 +66,7 @@ void paintHead(QPainter& painter, const QRectF& area, const ObjectiveChartData& 
                         (p.taken     ? Text::tr(", taken")
                          : p.allowed ? QString()
                                      : Text::tr(", ruled out"));
-  const QString areas = Text::tr("void %1, overlap %2").arg(shortArea(p.voidArea), shortArea(p.overlapArea));
+  const QString areas = Text::tr("would show %1, overlap %2").arg(shortArea(p.voidArea), shortArea(p.overlapArea));
   double top = area.top() + kTitle - 4.0;
   for (const QString& line : {place, areas}) {
     const double needed = QFontMetricsF(pictureFont(kSmall)).horizontalAdvance(line);

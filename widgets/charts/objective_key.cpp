@@ -24,7 +24,7 @@ void paintFoot(QPainter& painter, const QRectF& area, const ObjectiveChartData& 
     bool line;
   };
   const std::array<Item, 4> items{
-      {{objectiveVoidColour(), Text::tr("o_v: void"), false},
+      {{objectiveVoidColour(), Text::tr("o_v: would show"), false},
        {theme.threshold, Text::tr("F = %1").arg(shortArea(data.terminationThreshold)), true},
        {objectiveOverlapColour(), Text::tr("o_s: overlap"), false},
        {theme.threshold, Text::tr("t = %1").arg(shortArea(data.leastOverlap)), true}}};
