@@ -18,8 +18,8 @@ struct Completeness {
   bool closed = false;            ///< one surface without any opening
 };
 
-/// @param plan tells of every edge of an opening whether some position could show more there (EdgeReason); an opening
-///        counts as scannable by the share of its edges. All do without a plan of this mesh.
+/// @param plan of this mesh: once no view is worth taking it tells what all positions together would still show
+///        (Plan::voidLeft). Before, and without one, all that is missing counts as scannable.
 [[nodiscard]] Completeness completenessOf(const Mesh& mesh, const Plan* plan);
 
 }  // namespace vantage
