@@ -40,10 +40,15 @@ double spannedArea(const Mesh& mesh, const std::vector<std::uint32_t>& loop) {
   return area;
 }
 
-// Whether the plan has found what all positions together would still show.
-bool knowsWhatIsLeft(const Plan* plan) {
-  return plan != nullptr && plan->outcome != PlanOutcome::Found && plan->voids &&
-         plan->voids->patches.size() == plan->outlook.size();
+// 1 for the vertices from which an edge leads along which no position shows more.
+std::vector<std::uint8_t> outOfSight(const Mesh& mesh, const Plan* plan) {
+  std::vector<std::uint8_t> hidden(mesh.vertices.size(), 0);
+  if (plan == nullptr || !plan->voids || plan->voids->patches.size() != plan->outlook.size()) return hidden;
+  for (std::size_t p = 0; p < plan->outlook.size(); ++p) {
+    const std::uint32_t from = plan->voids->patches[p].from;
+    if (from < hidden.size() && plan->outlook[p].reason != EdgeReason::BelowThreshold) hidden[from] = 1;
+  }
+  return hidden;
 }
 
 }  // namespace
@@ -54,14 +59,21 @@ Completeness completenessOf(const Mesh& mesh, const Plan* plan) {
   result.pieces = measures.components;
   if (mesh.triangles.empty()) return result;
   const MeshTopology topology(mesh);
+  const std::vector<std::uint8_t> hidden = outOfSight(mesh, plan);
   double missing = 0.0;
+  double scannable = 0.0;
   for (const std::vector<std::uint32_t>& loop : openings(mesh, topology)) {
-    missing += spannedArea(mesh, loop);
+    std::size_t out = 0;
+    for (const std::uint32_t v : loop) out += hidden[v];
+    const double area = spannedArea(mesh, loop);
+    missing += area;
+    scannable += area * (1.0 - static_cast<double>(out) / static_cast<double>(loop.size()));
     ++result.holes;
   }
-  const double scannable = knowsWhatIsLeft(plan) ? plan->voidLeft : missing;
   result.closed = result.holes == 0 && measures.nonManifoldEdges == 0;
   result.wholeCovered = measures.area > 0.0 ? measures.area / (measures.area + missing) : 0.0;
+  // A forecast tells it itself.
+  if (plan != nullptr && plan->forecast && plan->forecast->left) scannable = plan->forecast->left->area;
   result.scannableCovered = measures.area > 0.0 ? measures.area / (measures.area + scannable) : 0.0;
   return result;
 }

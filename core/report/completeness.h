@@ -18,8 +18,9 @@ struct Completeness {
   bool closed = false;            ///< one surface without any opening
 };
 
-/// @param plan of this mesh: once no view is worth taking it tells what all positions together would still show
-///        (Plan::voidLeft). Before, and without one, all that is missing counts as scannable.
+/// @param plan of this mesh: one that forecasts tells, once no view is worth taking, what all positions together would
+///        still show; of another an opening counts as scannable by the share of its edges along which some position
+///        could show more (EdgeReason). All do without a plan.
 [[nodiscard]] Completeness completenessOf(const Mesh& mesh, const Plan* plan);
 
 }  // namespace vantage

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "geometry/measures.h"
+#include "geometry/mesh_topology.h"
 #include "support/meshes.h"
 
 namespace vantage {
@@ -42,14 +42,33 @@ TEST(Completeness, LacksWhatItsOpeningsSpan) {
 
 TEST(Completeness, WhatNoPositionShowsIsNotScannable) {
   const Mesh cube = cubeWith(4);
-  const double face = area(cube) / 4.0;
   Plan plan;
-  plan.voids = std::make_shared<const VoidSurface>();
-  plan.voidLeft = 0.25 * face;
+  VoidSurface voids;
+  const MeshTopology topology(cube);
+  for (const BoundaryEdge& edge : topology.boundaryEdges()) {
+    VoidPatch patch;
+    patch.from = edge.from;
+    patch.to = edge.to;
+    voids.patches.push_back(patch);
+    const Vec3& at = cube.vertices[edge.from];
+    PatchOutlook outlook;
+    outlook.reason = at.z() < 5.0 ? EdgeReason::OutOfReach : EdgeReason::BelowThreshold;
+    plan.outlook.push_back(outlook);
+  }
+  plan.voids = std::make_shared<const VoidSurface>(voids);
+  const Completeness open = completenessOf(cube, &plan);
+  EXPECT_NEAR(open.wholeCovered, 4.0 / 6.0, 1e-9);
+  EXPECT_NEAR(open.scannableCovered, 4.0 / 5.0, 1e-9);
+}
+
+TEST(Completeness, IsToldByAForecastThatHasEnded) {
+  const Mesh cube = cubeWith(4);
+  Plan plan;
+  plan.forecast = PlanForecast{{1.0, 0.0}, SurfaceLeft{25.0, 0.0, 50.0}, false};
   EXPECT_NEAR(completenessOf(cube, &plan).wholeCovered, 4.0 / 6.0, 1e-9);
-  EXPECT_NEAR(completenessOf(cube, &plan).scannableCovered, 4.0 / 4.25, 1e-9);
+  EXPECT_NEAR(completenessOf(cube, &plan).scannableCovered, 400.0 / 425.0, 1e-9);
   // Nothing is known of it as long as there is a view to take.
-  plan.outcome = PlanOutcome::Found;
+  plan.forecast->left.reset();
   EXPECT_NEAR(completenessOf(cube, &plan).scannableCovered, 4.0 / 6.0, 1e-9);
 }
 
