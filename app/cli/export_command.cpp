@@ -21,10 +21,6 @@ struct ExportArguments {
   FinishingArguments finishing;
 };
 
-std::string counted(std::size_t count, const std::string& noun) {
-  return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
-}
-
 // An open model encloses no volume: it can be looked at and measured, but not be printed as it is.
 std::string opennessOf(const MeshMeasures& measures) {
   const std::string pieces = " in " + counted(measures.components, "piece");

@@ -12,10 +12,6 @@
 namespace vantage {
 namespace {
 
-std::string counted(std::size_t count, const std::string& noun) {
-  return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
-}
-
 bool isPositive(const std::string& text) {
   double number = 0.0;
   return CLI::detail::lexical_cast(text, number) && number > 0.0 && std::isfinite(number);
@@ -50,7 +46,7 @@ std::string sentenceFor(PrintFault fault, const PrintCheck& check) {
       return counted(check.nonManifoldEdges, "edge") +
              " with more than two triangles, or with two that face opposite ways";
     case PrintFault::BowTies:
-      return "surfaces only touch in " + counted(check.bowTies, "vertex");
+      return "surfaces only touch in " + counted(check.bowTies, "vertex", "vertices");
     case PrintFault::Inward:
       return counted(check.inwardPieces, "piece") + " of it lies inside out";
     case PrintFault::Crossings:
