@@ -112,7 +112,7 @@ RegistrationResult noBetterThanOthers(const AcquisitionState& state, Registratio
       registerView(surface, result.T_object_scanner, RegistrationTarget(good), free, progress).verdict == Verdict::Good)
     return result;
   result.verdict = Verdict::Doubtful;
-  result.finding = {VerdictReason::HeldByMechanics, std::nullopt, {}};
+  result.finding = {VerdictReason::OnDoubtful, std::nullopt, {}};
   return result;
 }
 
@@ -125,7 +125,9 @@ bool turnedByGuess(const RangeImage& image) {
 bool isUnknown(const RegistrationResult& registration, double spacing) {
   if (registration.verdict != Verdict::Doubtful) return false;
   const VerdictReason reason = registration.finding.reason;
-  if (reason == VerdictReason::HeldByMechanics) return registration.poseSigma > kKnown * spacing;
+  const bool isMeasured = reason == VerdictReason::HeldByMechanics || reason == VerdictReason::OnDoubtful ||
+                          reason == VerdictReason::HeldByFew;
+  if (isMeasured) return registration.poseSigma > kKnown * spacing;
   return reason != VerdictReason::FewPairs;
 }
 

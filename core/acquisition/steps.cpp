@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "acquisition/hand_placing.h"
+#include "acquisition/loop_closing.h"
 #include "acquisition/other_turn.h"
 #include "acquisition/prepared_scans.h"
 #include "acquisition/scan_placing.h"
@@ -12,7 +13,6 @@
 #include "base/errors.h"
 #include "geometry/measures.h"
 #include "integration/zipper.h"
-#include "registration/closed_loops.h"
 #include "registration/prepared_refinement.h"
 #include "registration/registration_scale.h"
 
@@ -34,13 +34,6 @@ void tieLooseViews(const AcquisitionState& state, std::vector<PoseTie>& ties) {
   }
 }
 
-// What later scans may settle: where nothing spoke against the pose, and the mechanics alone for it.
-bool waitsForMore(const RegistrationResult& registration) {
-  const VerdictReason reason = registration.finding.reason;
-  return registration.verdict == Verdict::Doubtful &&
-         (reason == VerdictReason::HeldByMechanics || reason == VerdictReason::TableAlone);
-}
-
 // The pose of a doubtful view that all others together hold as firmly as a good one is certain.
 void liftDoubt(KeptScan& scan, const ViewSurface& surface, double poseSigma, const StepOptions& options) {
   RegistrationResult& registration = scan.record.registration;
@@ -49,37 +42,6 @@ void liftDoubt(KeptScan& scan, const ViewSurface& surface, double poseSigma, con
   registration.verdict = Verdict::Good;
   registration.finding = {VerdictReason::HeldByAll, std::nullopt, {}};
   registration.poseSigma = poseSigma;
-}
-
-// Views that a person turned fit only together with doubtful ones as long as they are a chain; once it closes, an error
-// of one link would show.
-void liftClosedLoops(AcquisitionState& state, const std::vector<PreparedView>& prepared,
-                     const std::vector<double>& poseSigmas, const StepOptions& options, const Progress& progress) {
-  std::vector<KeptScan*> open;
-  std::vector<Pose> poses;
-  std::vector<bool> known;
-  std::vector<bool> wanted;
-  for (KeptScan& scan : state.scans) {
-    if (scan.status != ScanStatus::In) continue;
-    const RegistrationResult& registration = scan.record.registration;
-    const bool waits = waitsForMore(registration) && turnedByGuess(*scan.view.image) && !isLoose(scan);
-    open.push_back(waits ? &scan : nullptr);
-    poses.push_back(scan.view.T_object_scanner);
-    known.push_back(registration.verdict == Verdict::Good);
-    wanted.push_back(waits || known.back());
-  }
-  if (std::all_of(open.begin(), open.end(), [](const KeptScan* scan) { return !scan; })) return;
-  IcpOptions free = options.registration;
-  free.prior.reset();
-  const std::vector<bool> held = heldByLoops(tiesAmong(prepared, poses, wanted, free, progress), known);
-  for (std::size_t i = 0; i < open.size(); ++i) {
-    if (!open[i] || !held[i]) continue;
-    if (poseSigmas[i] > *resolved(free, scaleOf(prepared[i].surface)).limits.maxPoseSigma) continue;
-    RegistrationResult& registration = open[i]->record.registration;
-    registration.verdict = Verdict::Good;
-    registration.finding = {VerdictReason::HeldByAll, std::nullopt, {}};
-    registration.poseSigma = poseSigmas[i];
-  }
 }
 
 void checkStation(const AcquisitionState& state, const KeptScan& scan) {
@@ -162,7 +124,7 @@ void refineModelViews(AcquisitionState& state, const StepOptions& options, const
     liftDoubt(scan, prepared[i].surface, refined.poseSigmas[i], options);
     ++i;
   }
-  liftClosedLoops(state, prepared, refined.poseSigmas, options, progress.part(0.8, 1.0));
+  liftClosedLoops(state, prepared, refined, options, progress.part(0.8, 1.0));
 }
 
 AcquisitionState addScan(const AcquisitionState& state, const NumberedScan& scan,

@@ -40,54 +40,38 @@ bool isTied(const PreparedView& view, const PreparedView& other, const Pose& T_o
   return fits && farthestMove(view.surface, result.T_object_scanner, T_other_view) <= scale.spacing;
 }
 
-// Ties as a graph whose known views are one vertex.
+// Ties as a graph whose known views are one vertex, the first.
 class TieGraph {
  public:
   TieGraph(std::span<const ViewTie> ties, const std::vector<bool>& known)
-      : ends_(known.size() + 1), reached_(known.size() + 1, 0), lowest_(known.size() + 1, 0) {
-    const std::size_t place = known.size();
+      : ends_(known.size() + 1),
+        reached_(known.size() + 1, 0),
+        lowest_(known.size() + 1, 0),
+        parent_(known.size() + 1, 0) {
+    const auto vertexOf = [&](std::size_t view) { return known[view] ? 0 : view + 1; };
     for (std::size_t k = 0; k < ties.size(); ++k) {
-      const std::size_t a = known[ties[k].first] ? place : ties[k].first;
-      const std::size_t b = known[ties[k].second] ? place : ties[k].second;
+      const std::size_t a = vertexOf(ties[k].first);
+      const std::size_t b = vertexOf(ties[k].second);
       if (a == b) continue;
       ends_[a].push_back({b, k});
       ends_[b].push_back({a, k});
     }
   }
 
-  // The vertices that stay joined with the last one whichever tie is cut: a depth-first search that does not pass the
-  // bridges (Tarjan 1974). Without recursion: there may be many views.
-  [[nodiscard]] std::vector<bool> joinedWithLast() {
-    const std::size_t last = ends_.size() - 1;
-    std::vector<std::size_t> order;
-    std::vector<std::size_t> parent(ends_.size(), last);
-    std::vector<Step> path{{last, kNoTie, 0}};
-    std::size_t time = reached_[last] = lowest_[last] = 1;
-    while (!path.empty()) {
-      Step& step = path.back();
-      if (step.next == ends_[step.vertex].size()) {
-        order.push_back(step.vertex);
-        const std::size_t done = step.vertex;
-        path.pop_back();
-        if (!path.empty()) lowest_[path.back().vertex] = std::min(lowest_[path.back().vertex], lowest_[done]);
-        continue;
-      }
-      const End end = ends_[step.vertex][step.next++];
-      if (end.tie == step.tie) continue;
-      if (reached_[end.vertex] > 0) {
-        lowest_[step.vertex] = std::min(lowest_[step.vertex], reached_[end.vertex]);
-        continue;
-      }
-      reached_[end.vertex] = lowest_[end.vertex] = ++time;
-      parent[end.vertex] = step.vertex;
-      path.push_back({end.vertex, end.tie, 0});
+  // One number per vertex, 0 for the first: those of one stay joined whichever tie is cut. Depth-first searches find
+  // the bridges (Tarjan 1974). Without recursion: there may be many views.
+  [[nodiscard]] std::vector<std::size_t> groups() {
+    for (std::size_t root = 0; root < ends_.size(); ++root)
+      if (reached_[root] == 0) searchFrom(root);
+    std::vector<std::size_t> group(ends_.size(), 0);
+    std::size_t count = 0;
+    // Parents come before what was reached from them. The tie to the parent is a bridge where nothing below reaches the
+    // parent or beyond.
+    for (const std::size_t vertex : order_) {
+      const bool joined = parent_[vertex] != vertex && lowest_[vertex] <= reached_[parent_[vertex]];
+      group[vertex] = joined ? group[parent_[vertex]] : count++;
     }
-    std::vector<bool> joined(ends_.size(), false);
-    joined[last] = true;
-    // From the root outwards: the tie to the parent is a bridge where nothing below reaches the parent or beyond.
-    for (auto vertex = order.rbegin(); vertex != order.rend(); ++vertex)
-      if (*vertex != last) joined[*vertex] = joined[parent[*vertex]] && lowest_[*vertex] <= reached_[parent[*vertex]];
-    return joined;
+    return group;
   }
 
  private:
@@ -102,9 +86,39 @@ class TieGraph {
     std::size_t next;
   };
 
+  void reach(std::size_t vertex, std::size_t from) {
+    order_.push_back(vertex);
+    parent_[vertex] = from;
+    reached_[vertex] = lowest_[vertex] = order_.size();
+  }
+
+  void searchFrom(std::size_t root) {
+    reach(root, root);
+    std::vector<Step> path{{root, kNoTie, 0}};
+    while (!path.empty()) {
+      Step& step = path.back();
+      if (step.next == ends_[step.vertex].size()) {
+        const std::size_t done = step.vertex;
+        path.pop_back();
+        if (!path.empty()) lowest_[path.back().vertex] = std::min(lowest_[path.back().vertex], lowest_[done]);
+        continue;
+      }
+      const End end = ends_[step.vertex][step.next++];
+      if (end.tie == step.tie) continue;
+      if (reached_[end.vertex] > 0) {
+        lowest_[step.vertex] = std::min(lowest_[step.vertex], reached_[end.vertex]);
+        continue;
+      }
+      reach(end.vertex, step.vertex);
+      path.push_back({end.vertex, end.tie, 0});
+    }
+  }
+
   std::vector<std::vector<End>> ends_;
+  std::vector<std::size_t> order_;    // in which they were reached
   std::vector<std::size_t> reached_;  // when, from 1
   std::vector<std::size_t> lowest_;   // the earliest that is reached from there and below
+  std::vector<std::size_t> parent_;   // itself for roots
 };
 
 }  // namespace
@@ -126,10 +140,10 @@ std::vector<ViewTie> tiesAmong(std::span<const PreparedView> views, std::span<co
   return ties;
 }
 
-std::vector<bool> heldByLoops(std::span<const ViewTie> ties, const std::vector<bool>& known) {
-  std::vector<bool> held = TieGraph(ties, known).joinedWithLast();
-  held.pop_back();
-  for (std::size_t i = 0; i < known.size(); ++i) held[i] = held[i] || known[i];
+std::vector<std::size_t> heldTogether(std::span<const ViewTie> ties, const std::vector<bool>& known) {
+  const std::vector<std::size_t> groups = TieGraph(ties, known).groups();
+  std::vector<std::size_t> held;
+  for (std::size_t i = 0; i < known.size(); ++i) held.push_back(known[i] ? 0 : groups[i + 1]);
   return held;
 }
 

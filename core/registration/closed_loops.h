@@ -24,10 +24,10 @@ using ViewTie = std::pair<std::size_t, std::size_t>;
                                              const std::vector<bool>& wanted, const IcpOptions& options,
                                              const Progress& progress);
 
-/// Which views closed loops hold: those that two ways of ties lead from to known views which have no tie in common. An
-/// error of one tie would keep such a loop from closing.
+/// Which views closed loops hold together: two of the same number have two ways of ties between them that have no tie
+/// in common, so that an error of one tie would keep a loop from closing.
 /// @param known one per view; all of them count as one place
-/// @return one per view, true for the known ones
-[[nodiscard]] std::vector<bool> heldByLoops(std::span<const ViewTie> ties, const std::vector<bool>& known);
+/// @return one number per view, 0 for the known ones and what is held with them
+[[nodiscard]] std::vector<std::size_t> heldTogether(std::span<const ViewTie> ties, const std::vector<bool>& known);
 
 }  // namespace vantage

@@ -7,6 +7,7 @@
 
 #include "base/progress.h"
 #include "registration/motion_information.h"
+#include "registration/pose_covariance.h"
 #include "scanner/view.h"
 
 namespace vantage {
@@ -51,6 +52,7 @@ struct MultiViewResult {
   /// Per view, how far off its points may be against the first view by what all pairs of all views say, without priors
   /// and ties: one sigma of the weakest motion [mm]. 0 for the first, 1000 fine gates and more where nothing holds.
   std::vector<double> poseSigmas;
+  PoseCovariance covariance;  ///< the same against any other view
 };
 
 /// Refines the poses of all views at once: minimises the symmetric point-to-plane distances of all overlapping pairs of

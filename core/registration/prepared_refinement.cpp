@@ -1,6 +1,5 @@
 #include "registration/prepared_refinement.h"
 
-#include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <Eigen/SparseCholesky>
 #include <algorithm>
@@ -75,16 +74,6 @@ class NormalEquations {
   // Where they are least is information times motions = pull [1/mm].
   [[nodiscard]] Eigen::VectorXd pull(double radius) const { return scalesFor(radius).asDiagonal() * pull_; }
 
-  // The inverse of the information, view by view. What nothing holds has the sigma `loose` [mm].
-  [[nodiscard]] std::vector<Mat6> covariances(double radius, double loose) const {
-    Eigen::MatrixXd information = this->information(radius);
-    information.diagonal().array() += 1.0 / (loose * loose);
-    const Eigen::MatrixXd covariance = information.llt().solve(Eigen::MatrixXd::Identity(unknowns_, unknowns_));
-    std::vector<Mat6> blocks;
-    for (Eigen::Index k = 0; k < unknowns_; k += 6) blocks.push_back(covariance.block<6, 6>(k, k));
-    return blocks;
-  }
-
  private:
   [[nodiscard]] Eigen::VectorXd scalesFor(double radius) const {
     Vec6 scale;
@@ -145,7 +134,10 @@ class Refiner {
     for (const ViewLink& link : fine)
       result.pairs += static_cast<std::size_t>(std::count_if(
           link.pairs.begin(), link.pairs.end(), [](const Pair& p) { return p.state == PairState::Paired; }));
-    result.poseSigmas = sigmasOf(fine, progress);
+    result.covariance = PoseCovariance(equationsOf(fine, progress).information(radius_), centre_, radius_,
+                                       kLoose * *options_.finalGate);
+    for (std::size_t i = 0; i < views_.size(); ++i)
+      result.poseSigmas.push_back(result.covariance.sigma(i, 0, views_[i].points, poses_[i]));
     return result;
   }
 
@@ -300,30 +292,6 @@ class Refiner {
       away.segment<6>(static_cast<Eigen::Index>(6 * (i - 1))) = motion;
     }
     return away;
-  }
-
-  [[nodiscard]] std::vector<double> sigmasOf(const std::vector<ViewLink>& links, const Progress& progress) const {
-    const NormalEquations equations = equationsOf(links, progress);
-    std::vector<double> sigmas{0.0};
-    for (const Mat6& covariance : equations.covariances(radius_, kLoose * *options_.finalGate)) {
-      const Eigen::SelfAdjointEigenSolver<Mat6> solver(covariance);
-      Vec6 weakest = solver.eigenvectors().col(5);
-      weakest.head<3>() /= radius_;
-      const auto view = sigmas.size();
-      sigmas.push_back(farthestMotion(view, weakest) * std::sqrt(std::max(0.0, solver.eigenvalues()[5])));
-    }
-    return sigmas;
-  }
-
-  // How far a motion about the centre of all views moves the points of one at most [mm].
-  [[nodiscard]] double farthestMotion(std::size_t view, const Vec6& motion) const {
-    const OrientedVertices& points = views_[view].points;
-    double farthest = points.size() == 0 ? 1.0 : 0.0;
-    for (std::size_t k = 0; k < points.size(); ++k) {
-      const Vec3 p = poses_[view] * points.pointAt(k) - centre_;
-      farthest = std::max(farthest, (motion.head<3>().cross(p) + motion.tail<3>()).norm());
-    }
-    return farthest;
   }
 
   std::span<const PreparedView> views_;

@@ -58,7 +58,7 @@ std::string_view name(VerdictReason reason) {
       "few_pairs",      "conflicts",          "residual",       "motion",          "rival",       "held_by_mechanics",
       "not_settled",    "contradicts_others", "no_pose_given",  "other_position",  "other_turns", "inverse_list",
       "other_unit",     "other_frame",        "axis_beside",    "table_alone",     "held_by_all", "table_slipped",
-      "other_turn",     "taken_elsewhere"};
+      "other_turn",     "taken_elsewhere",    "on_doubtful",    "held_by_few"};
   return kNames.at(static_cast<std::size_t>(reason));
 }
 

@@ -76,10 +76,12 @@ enum class VerdictReason : std::uint8_t {
   TableSlipped,       ///< it fits where the table would have turned by so much more than it says [deg, ccw from above]
   OtherTurn,          ///< it fits where the table stands at that angle, not where it was said to [deg, ccw from above]
   TakenElsewhere,     ///< the operator took it as from that angle of the table, where it fits [deg, ccw from above]
+  OnDoubtful,         ///< it fits only together with scans whose own place is doubtful
+  HeldByFew,          ///< too few scans hold it to those that hold each other
 };
-inline constexpr VerdictReason kLastVerdictReason = VerdictReason::TakenElsewhere;
+inline constexpr VerdictReason kLastVerdictReason = VerdictReason::HeldByFew;
 
-/// "not_registered", "first_view", ..., "taken_elsewhere".
+/// "not_registered", "first_view", ..., "held_by_few".
 [[nodiscard]] std::string_view name(VerdictReason reason);
 
 /// The gravest thing that was found about a registration.

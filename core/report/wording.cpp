@@ -162,6 +162,10 @@ Phrase phraseOf(const Finding& finding) {
       return words("only %1 points overlap with the model: the table alone says where it belongs", {figure(value)});
     case VerdictReason::HeldByAll:
       return words("all scans together hold it");
+    case VerdictReason::OnDoubtful:
+      return words("it fits only scans whose own place is doubtful");
+    case VerdictReason::HeldByFew:
+      return words("too little holds it to the scans that hold each other");
   }
   return words("");
 }

@@ -7,42 +7,43 @@
 namespace vantage {
 namespace {
 
-using Held = std::vector<bool>;
+using Flags = std::vector<bool>;
+using Groups = std::vector<std::size_t>;
 
 TEST(ClosedLoops, AChainHoldsNothing) {
   const std::vector<ViewTie> ties{{0, 1}, {1, 2}, {2, 3}};
-  EXPECT_EQ(heldByLoops(ties, {true, false, false, false}), (Held{true, false, false, false}));
+  EXPECT_EQ(heldTogether(ties, {true, false, false, false}), (Groups{0, 1, 2, 3}));
 }
 
 TEST(ClosedLoops, ALoopThroughAKnownViewHoldsAllOfIt) {
   const std::vector<ViewTie> ties{{0, 1}, {1, 2}, {2, 3}, {0, 3}};
-  EXPECT_EQ(heldByLoops(ties, {true, false, false, false}), (Held{true, true, true, true}));
+  EXPECT_EQ(heldTogether(ties, {true, false, false, false}), (Groups{0, 0, 0, 0}));
 }
 
 TEST(ClosedLoops, AChainBetweenKnownViewsIsALoop) {
   const std::vector<ViewTie> ties{{0, 1}, {1, 2}, {2, 3}};
-  EXPECT_EQ(heldByLoops(ties, {true, false, false, true}), (Held{true, true, true, true}));
+  EXPECT_EQ(heldTogether(ties, {true, false, false, true}), (Groups{0, 0, 0, 0}));
 }
 
-TEST(ClosedLoops, ALoopThatHangsOnOneTieIsNotHeld) {
+TEST(ClosedLoops, ALoopThatHangsOnOneTieHoldsItselfAlone) {
   // 1, 2 and 3 hold each other, but only 1 holds them to what is known.
   const std::vector<ViewTie> ties{{0, 1}, {1, 2}, {2, 3}, {1, 3}};
-  EXPECT_EQ(heldByLoops(ties, {true, false, false, false}), (Held{true, false, false, false}));
+  EXPECT_EQ(heldTogether(ties, {true, false, false, false}), (Groups{0, 1, 1, 1}));
 }
 
 TEST(ClosedLoops, WhatHangsOnALoopIsNotHeld) {
   const std::vector<ViewTie> ties{{0, 1}, {1, 2}, {0, 2}, {2, 3}};
-  EXPECT_EQ(heldByLoops(ties, {true, false, false, false}), (Held{true, true, true, false}));
+  EXPECT_EQ(heldTogether(ties, {true, false, false, false}), (Groups{0, 0, 0, 1}));
 }
 
-TEST(ClosedLoops, NothingIsHeldWithoutAKnownView) {
-  const std::vector<ViewTie> ties{{0, 1}, {1, 2}, {0, 2}};
-  EXPECT_EQ(heldByLoops(ties, {false, false, false}), (Held{false, false, false}));
-  EXPECT_TRUE(heldByLoops({}, {}).empty());
+TEST(ClosedLoops, LoopsHoldWithoutAKnownView) {
+  const std::vector<ViewTie> ties{{0, 1}, {1, 2}, {0, 2}, {3, 4}, {4, 5}, {3, 5}};
+  EXPECT_EQ(heldTogether(ties, Flags(6, false)), (Groups{1, 1, 1, 2, 2, 2}));
+  EXPECT_TRUE(heldTogether({}, {}).empty());
 }
 
 std::vector<ViewTie> tiesOf(const std::vector<View>& views, const std::vector<Pose>& poses) {
-  return tiesAmong(prepareViews(views, {}), poses, Held(views.size(), true), {}, {});
+  return tiesAmong(prepareViews(views, {}), poses, Flags(views.size(), true), {}, {});
 }
 
 TEST(ClosedLoops, NeighboursTieEachOtherWhereTheyAre) {
