@@ -1,6 +1,6 @@
 # shellcheck shell=bash
-# To be sourced. Defines install_dependencies, which installs what is missing of the packages in packaging/dependencies.
-# When nothing is missing it needs neither network nor root.
+# To be sourced. Defines install_dependencies [LIST], which installs what is missing of the packages in packaging/LIST,
+# packaging/dependencies unless one is given. When nothing is missing it needs neither network nor root.
 
 missing_packages() {
   local list=$1 package status
@@ -13,9 +13,9 @@ missing_packages() {
 
 install_dependencies() {
   local list as_root=() missing=()
-  list=$(dirname "${BASH_SOURCE[0]}")/dependencies
+  list=$(dirname "${BASH_SOURCE[0]}")/${1:-dependencies}
   if ! command -v dpkg-query >/dev/null; then
-    echo "This is no Debian system. Install what packaging/dependencies lists; going on as if it were there." >&2
+    echo "This is no Debian system. Install what $list lists; going on as if it were there." >&2
     return
   fi
   mapfile -t missing < <(missing_packages "$list")
