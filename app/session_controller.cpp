@@ -4,14 +4,8 @@
 #include <utility>
 #include <vector>
 
-#include "acquisition/model_colours.h"
-#include "acquisition/stand_composites.h"
-#include "base/atomic_file.h"
 #include "base/errors.h"
 #include "devices/standing_object.h"
-#include "io/mesh_writer.h"
-#include "io/output_file.h"
-#include "print_text.h"
 #include "report/memory_note.h"
 #include "session/table_note.h"
 #include "session_start.h"
@@ -40,6 +34,7 @@ SessionController::SessionController(JobRunner& jobs, std::string cacheFolder, D
       testScans_(work_, jobs, devices_),
       calibrating_(work_, devices_),
       keeper_(work_, jobs, cacheFolder_),
+      writer_(work_),
       present_(presentBefore()) {
   connect(&work_, &Undertaking::activityChanged, this, &SessionController::activityChanged);
   connect(&work_, &Undertaking::stepChanged, this, &SessionController::stepChanged);
@@ -51,6 +46,9 @@ SessionController::SessionController(JobRunner& jobs, std::string cacheFolder, D
   connect(&keeper_, &SessionKeeper::message, this, &SessionController::message);
   connect(&keeper_, &SessionKeeper::importFailed, this, &SessionController::importFailed);
   connect(&keeper_, &SessionKeeper::arrived, this, &SessionController::replace);
+  connect(&writer_, &ResultWriter::written, this, &SessionController::written);
+  connect(&writer_, &ResultWriter::madeReady, this, &SessionController::madeReady);
+  connect(&writer_, &ResultWriter::printRefused, this, &SessionController::printRefused);
   connect(&calibrating_, &TableCalibrating::kept, this, &SessionController::useCalibration);
 }
 
@@ -403,64 +401,15 @@ std::vector<std::string> SessionController::filesInUse() const {
 }
 
 void SessionController::exportModel(const QString& path) {
-  if (!allowed(permissions().whyNotExport())) return;
-  work_.begin<bool>(
-      Activity::Writing, tr("Writing %1").arg(path),
-      [state = now(), path = path.toStdString(), inputs = filesInUse()](const Progress& progress) {
-        checkOutput(path, OutputKind::Mesh, inputs);
-        const AcquisitionState object = withObject(*state);
-        const VertexColours colours = holdsColours(path) ? coloursOf(object, progress.part(0.0, 0.5)) : VertexColours{};
-        vantage::exportModel(*object.model, path, progress.part(0.5, 1.0), worldOffset(outlineOf(object)), colours);
-        return true;
-      },
-      [this, path](bool) { emit written(path); });
+  if (allowed(permissions().whyNotExport())) writer_.exportModel(now(), path, filesInUse());
 }
 
 void SessionController::exportFinished(const QString& path, const HandOver& how) {
-  if (!allowed(permissions().whyNotExport())) return;
-  struct Made {
-    QString done;
-    QString whyNot;
-  };
-  work_.begin<Made>(
-      Activity::Writing, tr("Writing %1").arg(path),
-      [state = now(), path = path.toStdString(), how, inputs = filesInUse()](const Progress& progress) {
-        checkOutput(path, OutputKind::Mesh, inputs);
-        const AcquisitionState object = withObject(*state);
-        const FinishedModel made = finish(*object.model, how.finishing, progress.part(0.0, 0.6));
-        if (how.onlyPrintable && !made.check.printable()) return Made{{}, whyNotPrintable(made.check)};
-        const VertexColours colours =
-            made.coloursOf(holdsColours(path) ? coloursOf(object, progress.part(0.6, 0.8)) : VertexColours{});
-        const std::vector<std::uint8_t> invented = made.invented();
-        exportModelAs(made.model, path, {worldOffset(outlineOf(object)), colours, invented, how.unit},
-                      progress.part(0.8, 1.0));
-        return Made{finishingText(made), {}};
-      },
-      [this, path](const Made& made) {
-        if (!made.whyNot.isEmpty()) {
-          emit printRefused(made.whyNot);
-          return;
-        }
-        emit written(path);
-        emit madeReady(made.done);
-      });
+  if (allowed(permissions().whyNotExport())) writer_.exportFinished(now(), path, how, filesInUse());
 }
 
 void SessionController::writeReport(const QString& path, ReportParts parts) {
-  if (!allowed(permissions().whyNotExport())) return;
-  work_.begin<bool>(
-      Activity::Writing, tr("Writing %1").arg(path),
-      [state = now(), path = path.toStdString(), parts = std::move(parts),
-       inputs = filesInUse()](const Progress& progress) {
-        progress.checkpoint(0.0);
-        checkOutput(path, OutputKind::Report, inputs);
-        AtomicFile file(path);
-        const AcquisitionState object = withObject(*state);
-        file.write(makeHtmlReport(object, parts(object)));
-        file.commit();
-        return true;
-      },
-      [this, path](bool) { emit written(path); });
+  if (allowed(permissions().whyNotExport())) writer_.writeReport(now(), path, std::move(parts), filesInUse());
 }
 
 }  // namespace vantage

@@ -14,11 +14,10 @@
 #include "bench/table_calibrating.h"
 #include "bench/test_scans.h"
 #include "devices/device_factory.h"
-#include "hand_over.h"
 #include "job_runner.h"
 #include "permissions.h"
 #include "present.h"
-#include "report/html_report.h"
+#include "result_writer.h"
 #include "rig_keeper.h"
 #include "session/session.h"
 #include "session_import.h"
@@ -142,8 +141,7 @@ class SessionController final : public QObject {
   void exportModel(const QString& path);
   /// The same, made ready to be handed over. What cannot be printed, and should, is not written: printRefused says why.
   void exportFinished(const QString& path, const HandOver& how);
-  /// What a report on a state shows beside its figures; called beside the window.
-  using ReportParts = std::function<HtmlReportOptions(const AcquisitionState&)>;
+  using ReportParts = ResultWriter::ReportParts;
   void writeReport(const QString& path, ReportParts parts);
 
   /// The wizard's page, kept in the session so that it reopens there.
@@ -201,6 +199,7 @@ class SessionController final : public QObject {
   TestScans testScans_;
   TableCalibrating calibrating_;
   SessionKeeper keeper_;
+  ResultWriter writer_;
   Mode mode_ = Mode::Automatic;  ///< before there is a session
   Present present_;
   SharedState shown_;
