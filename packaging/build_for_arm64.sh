@@ -30,6 +30,9 @@ if [[ $(cat "$root/complete" 2>/dev/null) != "$wanted" ]]; then
   for package in "$state"/archives/*.deb; do
     dpkg-deb --fsys-tarfile "$package" | tar -x -C "$root" --keep-directory-symlink --no-same-owner
   done
+  # Links and packages that say where their libraries are on an installed system are told where they are here.
+  find "$root" -lname '/*' -printf '%p\0%l\0' | xargs -0 -n2 bash -c 'ln -sfn "$0$2" "$1"' "$root"
+  find "$root/usr/lib" -path '*/cmake/*.cmake' -exec sed -i 's|\([";:]\)/usr/|\1${CMAKE_SYSROOT}/usr/|g' {} +
   echo "$wanted" >"$root/complete"
 fi
 
@@ -45,3 +48,12 @@ program=build/arm64/cli/bin/vantage-cli
 file -b "$program"
 run=(qemu-aarch64 -L "$root" "$program")
 "${run[@]}" --version
+
+# Two views of the sample mug: 4 says that the run was ended before all was seen.
+sample=$(mktemp -d)
+trap 'rm -rf "$sample"' EXIT
+code=0
+"${run[@]}" acquire --object resources/objects/mug.ply --scanner resources/scanners/rotating_stripe.json --max-views 2 \
+  --out "$sample/mug" --threads 2 || code=$?
+((code == 0 || code == 4)) || exit "$code"
+ls -l "$sample/mug/model.ply"

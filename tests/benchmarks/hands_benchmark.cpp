@@ -3,6 +3,7 @@
 // millimetre off the object's surface. What slid is as far from where it was taken, be it on the surface. Arguments:
 // number of hands each (3), steps ("30,45,60,0" degrees; 0: planned), objects (the sample objects), and "each" to print
 // every scan. Ends with 1 when a view was called good that is wrong, or is a millimetre from where it was taken.
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -125,6 +126,29 @@ double distanceOff(const KeptScan& scan, const Pose& found, const Pose& truth) {
   return std::sqrt(sum / static_cast<double>(std::max<std::size_t>(image.sampleCount(), 1)));
 }
 
+// Where the table is as the good views have it together, in the least squares of their samples: the frame is theirs,
+// whichever view was the first.
+Pose frameOf(const AcquisitionState& state, const std::vector<Pose>& truths) {
+  constexpr std::size_t kEvery = 40;
+  std::vector<Vec3> where;
+  std::vector<Vec3> found;
+  for (std::size_t k = 0; k < state.scans.size(); ++k) {
+    const KeptScan& scan = state.scans[k];
+    if (scan.status != ScanStatus::In || scan.record.registration.verdict != Verdict::Good) continue;
+    const RangeImage& image = *scan.view.image;
+    for (std::size_t i = 0; i < image.range.size(); i += kEvery) {
+      if (!image.valid(i)) continue;
+      where.push_back(truths[k] * image.point(i));
+      found.push_back(scan.view.T_object_scanner * image.point(i));
+    }
+  }
+  if (where.size() < 3) return state.scans.front().view.T_object_scanner * truths.front().inverse();
+  const auto columns = [](const std::vector<Vec3>& points) {
+    return Eigen::Map<const Eigen::Matrix3Xd>(points.front().data(), 3, static_cast<Eigen::Index>(points.size()));
+  };
+  return Pose(Eigen::umeyama(columns(where), columns(found), false));
+}
+
 struct Off {
   double place = 0.0;    // from where it was taken, rms [mm]
   double atFirst = 0.0;  // the same, as it was registered
@@ -173,7 +197,7 @@ class Run {
     Row row;
     row.ends[std::string(name(state.termination))] = 1;
     row.asked = static_cast<int>(state.scans.size());
-    const Pose T_object_table = state.scans.front().view.T_object_scanner * truths.front().inverse();
+    const Pose T_object_table = frameOf(state, truths);
     for (std::size_t i = 0; i < state.scans.size(); ++i) {
       const KeptScan& scan = state.scans[i];
       const bool in = scan.status == ScanStatus::In;
