@@ -215,23 +215,22 @@ Pose poseAtTurn(const AcquisitionState& state, const KeptScan& scan, double tabl
                   T_object_table);
 }
 
-void placeAtTurn(const AcquisitionState& state, KeptScan& scan, double tableDeg, const StepOptions& options,
-                 const Progress& progress) {
+bool placedAtTurn(const AcquisitionState& state, KeptScan& scan, double tableDeg, const StepOptions& options,
+                  const Progress& progress) {
   const Pose there = poseAtTurn(state, scan, tableDeg);
   const Pose T_object_table = standPose(state, scan);
   const std::vector<Pose> around{there, turnedBy(0.5 * kReach, there, T_object_table),
                                  turnedBy(-0.5 * kReach, there, T_object_table)};
   const auto places = goodPlaces(state, scan, around, options, progress);
   if (places.empty() || differenceDeg(turnAt(state, scan, places.front().T_object_scanner), tableDeg) > degrees(kReach))
-    throw InvalidInput("scan " + std::to_string(scan.number) + " does not fit at " +
-                       std::to_string(std::lround(tableDeg)) +
-                       " degrees of the table with the model as it is now: scan from there once more");
+    return false;
   const bool hasRivals = !scan.record.registration.finding.rivals.empty();
   scan.record.registration = places.front();
   scan.record.registration.finding = {VerdictReason::TakenElsewhere, inOneTurn(tableDeg), {}};
   if (hasRivals) scan.record.registration.verdict = Verdict::Doubtful;
   scan.view.T_object_scanner = places.front().T_object_scanner;
   scan.status = ScanStatus::In;
+  return true;
 }
 
 }  // namespace vantage

@@ -39,8 +39,8 @@ namespace vantage {
 [[nodiscard]] Pose poseAtTurn(const AcquisitionState& state, const KeptScan& scan, double tableDeg);
 
 /// Looks for a refused scan around a turn of the table: it becomes a view, with its place, status and registration.
-/// @throws InvalidInput when it does not fit there; Cancelled
-void placeAtTurn(const AcquisitionState& state, KeptScan& scan, double tableDeg, const StepOptions& options,
-                 const Progress& progress);
+/// @return whether it fits there; otherwise it is as it was. @throws Cancelled
+[[nodiscard]] bool placedAtTurn(const AcquisitionState& state, KeptScan& scan, double tableDeg,
+                                const StepOptions& options, const Progress& progress);
 
 }  // namespace vantage

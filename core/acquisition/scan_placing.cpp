@@ -114,10 +114,28 @@ bool placeWhereSlipped(const AcquisitionState& state, KeptScan& scan, const Fitt
   return true;
 }
 
-void nameOtherTurn(const AcquisitionState& state, KeptScan& scan, const StepOptions& options,
-                   const Progress& progress) {
-  if (auto elsewhere = otherTurnOf(state, scan, options, progress))
-    scan.record.registration.finding = std::move(*elsewhere);
+// The same where the surface alone does not hold the scan, and the axis of the table does.
+void placeWhereTurned(const AcquisitionState& state, KeptScan& scan, const StepOptions& options,
+                      const Progress& progress) {
+  if (!movedByItself(*scan.view.image)) return;
+  KeptScan there = scan;
+  there.status = ScanStatus::Rejected;
+  const std::vector<double> turns = turnsThatFit(state, there);
+  if (turns.size() != 1 || !placedAtTurn(state, there, turns.front(), options, progress.part(0.0, 0.7))) return;
+  RegistrationResult& found = there.record.registration;
+  found.verdict = Verdict::Doubtful;
+  found.finding = {VerdictReason::TableSlipped, slipOf(scan.view.T_object_scanner, found.T_object_scanner), {}};
+  checkAgainstOthers(state, there, options, progress.part(0.7, 1.0));
+  if (found.verdict != Verdict::Failed) scan.record.registration = found;
+}
+
+// A scan that fits another turn of the table counts there where a table that moved by itself slipped; else it is said.
+void placeOrNameOtherTurn(const AcquisitionState& state, KeptScan& scan, const StepOptions& options,
+                          const Progress& progress) {
+  auto elsewhere = otherTurnOf(state, scan, options, progress.part(0.0, 0.6));
+  if (!elsewhere) return;
+  scan.record.registration.finding = std::move(*elsewhere);
+  placeWhereTurned(state, scan, options, progress.part(0.6, 1.0));
 }
 
 // A scan that does not fit its own position may not have been meant to, or fit another.
@@ -128,9 +146,11 @@ void explainFailure(const AcquisitionState& state, KeptScan& scan, const StepOpt
   std::optional<FittingPose> fits;
   if (!turnedByGuess(*scan.view.image)) fits = otherPlace(state, scan, options, progress.part(0.0, 0.3));
   if (fits && placeWhereSlipped(state, scan, *fits, options, progress.part(0.3, 0.5))) return;
-  nameOtherTurn(state, scan, options, progress.part(0.5, 1.0));
+  placeOrNameOtherTurn(state, scan, options, progress.part(0.5, 1.0));
   const VerdictReason reason = found.finding.reason;
-  if (!fits || reason == VerdictReason::OtherTurn || reason == VerdictReason::OtherPosition) return;
+  if (found.verdict != Verdict::Failed || !fits || reason == VerdictReason::OtherTurn ||
+      reason == VerdictReason::OtherPosition)
+    return;
   const int other = static_cast<int>(fits->candidate);
   if (other != *scan.station().position) found.finding = {VerdictReason::OtherPosition, static_cast<double>(other), {}};
 }
@@ -202,7 +222,7 @@ bool findPlace(const AcquisitionState& state, KeptScan& scan, const StepOptions&
   const Progress explaining = progress.part(0.7, 1.0);
   if (registration.verdict == Verdict::Failed) {
     if (registration.finding.reason == VerdictReason::ContradictsOthers)
-      nameOtherTurn(state, scan, options, explaining);
+      placeOrNameOtherTurn(state, scan, options, explaining);
     else
       explainFailure(state, scan, options, explaining);
   }

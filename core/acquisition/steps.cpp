@@ -1,6 +1,7 @@
 #include "acquisition/steps.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -191,7 +192,10 @@ AcquisitionState takeAsFrom(const AcquisitionState& state, std::int64_t scan, do
   KeptScan placed = *taken;
   placed.view.mesh =
       std::make_shared<const ViewMesh>(triangulate(*placed.view.image, options.triangulation, progress.part(0.0, 0.1)));
-  placeAtTurn(state, placed, tableDeg, options, progress.part(0.1, 0.4));
+  if (!placedAtTurn(state, placed, tableDeg, options, progress.part(0.1, 0.4)))
+    throw InvalidInput("scan " + std::to_string(placed.number) + " does not fit at " +
+                       std::to_string(std::lround(tableDeg)) +
+                       " degrees of the table with the model as it is now: scan from there once more");
   *taken = std::move(placed);
   const auto added = static_cast<std::size_t>(taken - next.scans.begin());
   next = withNewModel(std::move(next), added, options, progress.part(0.4, 0.8));

@@ -120,9 +120,10 @@ TEST(AddScan, NamesThePositionThatAScanFits) {
 }
 
 // A scan of position 3 that is said to have been taken elsewhere about the table's axis.
-AcquisitionState addTurned(double angle, PoseSource knownBy, std::optional<Mechanics> uncertainty) {
-  AcquisitionState state = scanned(testing::smallObject(), {0, 1, 2});
-  const Rig rig = testing::simulation(testing::smallObject(), state.profile, {1, true});
+AcquisitionState addTurned(double angle, PoseSource knownBy, std::optional<Mechanics> uncertainty,
+                           const Mesh& object = testing::smallObject()) {
+  AcquisitionState state = scanned(object, {0, 1, 2});
+  const Rig rig = testing::simulation(object, state.profile, {1, true});
   state.settings.registration.limits.fewPairs = 100;  // the scans are small
   RangeImage image = scanFrom(rig, 3, Progress());
   image.T_table_scanner = Eigen::AngleAxisd(angle, Vec3::UnitZ()) * image.T_table_scanner;
@@ -153,6 +154,20 @@ TEST(AddScan, SaysHowFarATableSlippedAndCallsNothingAboutItGood) {
     EXPECT_EQ(registrationOf(state, 3).finding.reason, VerdictReason::TableSlipped);
     EXPECT_NEAR(*registrationOf(state, 3).finding.value, angle, 0.3);
     EXPECT_LT(turnFromTruth(state), radians(0.3)) << angle;
+  }
+}
+
+// A ball with a knob turns about the knob wherever it is; with the table's axis the knob says how far it turned.
+TEST(AddScan, ASlipIsFoundWhereTheSurfaceAloneTurns) {
+  const Mesh knobbed = testing::joined(testing::makeSphere(35.0, 48, {0.0, 0.0, 50.0}),
+                                       testing::makeSphere(22.0, 32, {28.0, 14.0, 62.0}));
+  for (const double angle : {-20.0, 16.0}) {
+    const AcquisitionState state = addTurned(radians(angle), PoseSource::Reported, {}, knobbed);
+    ASSERT_EQ(state.scans[3].status, ScanStatus::In) << angle;
+    EXPECT_EQ(registrationOf(state, 3).verdict, Verdict::Doubtful);
+    EXPECT_EQ(registrationOf(state, 3).finding.reason, VerdictReason::TableSlipped);
+    EXPECT_NEAR(registrationOf(state, 3).finding.value.value_or(0.0), angle, 0.5);
+    EXPECT_LT(turnFromTruth(state), radians(0.5)) << angle;
   }
 }
 
