@@ -23,6 +23,7 @@
 #include "help/help_desk.h"
 #include "help/help_topic.h"
 #include "outlook_text.h"
+#include "recent/recent_list.h"
 #include "report_pictures.h"
 #include "settings/settings_dialog.h"
 #include "stand_desk.h"
@@ -71,7 +72,8 @@ MainWindow::MainWindow(const WindowParts& parts, const Preferences& preferences,
       timeLine_(new TimeLine(parts.controller)),
       jobs_(new JobPanel(parts.jobs)),
       log_(new LogPanel),
-      door_(new SessionDoor(parts.controller, wizard_->choosePage(), *this)),
+      recent_(new RecentSessions(parts.controller, parts.jobs, parts.controller.cacheFolder(), this)),
+      door_(new SessionDoor(parts.controller, parts.jobs, wizard_->choosePage(), *this)),
       attention_(new Attention(parts.controller, *this)),
       help_(new HelpDesk(parts.resources + QStringLiteral("/manual/operator"), *this)),
       notices_(*this) {
@@ -179,6 +181,11 @@ void MainWindow::addSessionMenu() {
   open_ = addGuarded(session, tr("&Open…"), QKeySequence::Open, [this] { door_->openSession(); });
   look_ = addGuarded(session, tr("Open to &look at…"), tr("Ctrl+Shift+O"),
                      [this] { door_->openSession(SessionAccess::Read); });
+  QMenu* recent = session.addMenu(tr("Recentl&y opened"));
+  connect(recent, &QMenu::aboutToShow, this, [this, recent] {
+    recent_->refresh();
+    fillRecentMenu(*recent, *recent_, [this](const QString& path) { door_->openRecent(path, *recent_); });
+  });
   import_ = addGuarded(session, tr("&Import or add scans…"), tr("Ctrl+I"), [this] { door_->importScans({}); });
   close_ = addGuarded(session, tr("&Close"), QKeySequence::Close, [this] {
     if (const QString why = controller_.permissions().whyNotClose(); !why.isEmpty()) return say(why);
@@ -281,6 +288,9 @@ void MainWindow::connectController() {
   connect(&controller_, &SessionController::setUpChanged, this, &MainWindow::refreshActions);
   connect(&wizard_->choosePage(), &ChoosePage::openRequested, door_, [this] { door_->openSession(); });
   connect(&wizard_->choosePage(), &ChoosePage::importRequested, door_, [this] { door_->importScans({}); });
+  wizard_->choosePage().showRecent(*recent_);
+  connect(&wizard_->choosePage(), &ChoosePage::recentRequested, door_,
+          [this](const QString& path) { door_->openRecent(path, *recent_); });
   connect(&wizard_->finishPage(), &FinishPage::reportRequested, this, &MainWindow::writeReport);
   connect(&wizard_->acquirePage().nextView(), &NextViewBox::considered, views_, &SessionViews::examine);
   connect(&wizard_->reviewPage(), &ReviewPage::scanChosen, views_, &SessionViews::showScan);

@@ -16,6 +16,7 @@ namespace vantage {
 class HelpDesk;
 class JobPanel;
 class LogPanel;
+class RecentSessions;
 class SessionDoor;
 class StandDesk;
 class TimeLine;
@@ -91,6 +92,7 @@ class MainWindow final : public QMainWindow {
   TimeLine* timeLine_;
   JobPanel* jobs_;
   LogPanel* log_;
+  RecentSessions* recent_;
   SessionDoor* door_;
   Attention* attention_;
   HelpDesk* help_;
