@@ -20,6 +20,7 @@
 #include "docks/log_panel.h"
 #include "docks/session_log.h"
 #include "docks/time_line.h"
+#include "docks/view_actions.h"
 #include "help/help_desk.h"
 #include "help/help_topic.h"
 #include "outlook_text.h"
@@ -225,6 +226,9 @@ void MainWindow::addViewMenu() {
     if (preset == CameraPreset::Fit) fit_ = action;
   }
   view.addSeparator();
+  viewTools_ = new ViewActions(views_->model());
+  viewTools_->addTo(*view.addMenu(tr("How the model is &drawn")));
+  view.addSeparator();
   addAction(view, tr("Objective as bars o&r dial"), tr("Ctrl+B"), [this] {
     ObjectiveView& objective = views_->objective();
     objective.setChartStyle(objective.chartStyle() == ObjectiveStyle::Dial ? ObjectiveStyle::Bars
@@ -249,7 +253,13 @@ void MainWindow::addTools() {
                     {step_, QStringLiteral("scan")},
                     {pause_, QStringLiteral("pause")},
                     {stop_, QStringLiteral("stop"), ToolTint::Halt}});
-  tools_->addTools({{fit_, QStringLiteral("fit")}});
+  tools_->addTools({{fit_, QStringLiteral("fit")},
+                    {viewTools_->wireframe, QStringLiteral("wireframe")},
+                    {viewTools_->points, QStringLiteral("points")},
+                    {viewTools_->backFaces, QStringLiteral("back_faces")},
+                    {viewTools_->parallel, QStringLiteral("orthographic")},
+                    {viewTools_->section, QStringLiteral("section")},
+                    {viewTools_->measure, QStringLiteral("measure")}});
 }
 
 void MainWindow::handOver(void (FinishPage::*write)()) {

@@ -21,6 +21,7 @@ class SessionDoor;
 class StandDesk;
 class TimeLine;
 class ToolBar;
+class ViewActions;
 
 /// What the window is made with.
 struct WindowParts {
@@ -99,6 +100,7 @@ class MainWindow final : public QMainWindow {
   Notices notices_;
   SideDocks* sides_ = nullptr;
   ToolBar* tools_ = nullptr;
+  ViewActions* viewTools_ = nullptr;
   QList<QDockWidget*> docks_;  ///< in the order of their keys
   QAction* new_ = nullptr;
   QAction* open_ = nullptr;
