@@ -20,9 +20,11 @@
 #include "docks/log_panel.h"
 #include "docks/session_log.h"
 #include "docks/time_line.h"
+#include "docks/view_actions.h"
 #include "help/help_desk.h"
 #include "help/help_topic.h"
 #include "outlook_text.h"
+#include "recent/recent_list.h"
 #include "report_pictures.h"
 #include "settings/settings_dialog.h"
 #include "stand_desk.h"
@@ -31,6 +33,7 @@
 #include "window/fitting.h"
 #include "window/session_door.h"
 #include "window/stop_keys.h"
+#include "window/tool_bar.h"
 #include "window_theme.h"
 #include "wizard/next_view_box.h"
 
@@ -70,7 +73,8 @@ MainWindow::MainWindow(const WindowParts& parts, const Preferences& preferences,
       timeLine_(new TimeLine(parts.controller)),
       jobs_(new JobPanel(parts.jobs)),
       log_(new LogPanel),
-      door_(new SessionDoor(parts.controller, wizard_->choosePage(), *this)),
+      recent_(new RecentSessions(parts.controller, parts.jobs, parts.controller.cacheFolder(), this)),
+      door_(new SessionDoor(parts.controller, parts.jobs, wizard_->choosePage(), *this)),
       attention_(new Attention(parts.controller, *this)),
       help_(new HelpDesk(parts.resources + QStringLiteral("/manual/operator"), *this)),
       notices_(*this) {
@@ -85,6 +89,7 @@ MainWindow::MainWindow(const WindowParts& parts, const Preferences& preferences,
   setCentralWidget(&views_->model());
   firstLayout_ = saveState(kLayoutVersion);
   addMenus();
+  addTools();
   connectController();
   statusBar()->addWidget(jobs_, 1);
   statusBar()->setSizeGripEnabled(false);
@@ -173,15 +178,23 @@ void MainWindow::addMenus() {
 void MainWindow::addSessionMenu() {
   QMenu& session = *menuBar()->addMenu(tr("&Session"));
   session.setToolTipsVisible(true);
+  new_ = addGuarded(session, tr("Ne&w session"), QKeySequence::New, [this] { startNew(); });
   open_ = addGuarded(session, tr("&Open…"), QKeySequence::Open, [this] { door_->openSession(); });
   look_ = addGuarded(session, tr("Open to &look at…"), tr("Ctrl+Shift+O"),
                      [this] { door_->openSession(SessionAccess::Read); });
+  QMenu* recent = session.addMenu(tr("Recentl&y opened"));
+  connect(recent, &QMenu::aboutToShow, this, [this, recent] {
+    recent_->refresh();
+    fillRecentMenu(*recent, *recent_, [this](const QString& path) { door_->openRecent(path, *recent_); });
+  });
   import_ = addGuarded(session, tr("&Import or add scans…"), tr("Ctrl+I"), [this] { door_->importScans({}); });
   close_ = addGuarded(session, tr("&Close"), QKeySequence::Close, [this] {
     if (const QString why = controller_.permissions().whyNotClose(); !why.isEmpty()) return say(why);
-    controller_.close();
-    wizard_->goTo(0);
+    startNew();
   });
+  session.addSeparator();
+  export_ = addGuarded(session, tr("E&xport the model…"), tr("Ctrl+E"), [this] { handOver(&FinishPage::exportAs); });
+  report_ = addGuarded(session, tr("Write t&he report"), tr("Ctrl+R"), [this] { handOver(&FinishPage::report); });
   session.addSeparator();
   run_ = addGuarded(session, tr("&Run or go on"), tr("F5"), [this] { controller_.run(); });
   step_ = addGuarded(session, tr("One &scan"), tr("F6"), [this] { controller_.step(); });
@@ -207,9 +220,14 @@ void MainWindow::addViewMenu() {
       {tr("&Top"), CameraPreset::Top},         {tr("Scanner's &eye"), CameraPreset::ScannersEye},
       {tr("Ob&lique"), CameraPreset::Oblique}, {tr("Fit with the ta&ble"), CameraPreset::Everything}};
   int key = 1;
-  for (const auto& [text, preset] : presets)
-    addAction(view, text, QKeySequence(QStringLiteral("Alt+%1").arg(key++)),
-              [this, chosen = preset] { views_->model().view().lookFrom(chosen); });
+  for (const auto& [text, preset] : presets) {
+    QAction* action = addAction(view, text, QKeySequence(QStringLiteral("Alt+%1").arg(key++)),
+                                [this, chosen = preset] { views_->model().view().lookFrom(chosen); });
+    if (preset == CameraPreset::Fit) fit_ = action;
+  }
+  view.addSeparator();
+  viewTools_ = new ViewActions(views_->model());
+  viewTools_->addTo(*view.addMenu(tr("How the model is &drawn")));
   view.addSeparator();
   addAction(view, tr("Objective as bars o&r dial"), tr("Ctrl+B"), [this] {
     ObjectiveView& objective = views_->objective();
@@ -221,6 +239,39 @@ void MainWindow::addViewMenu() {
   addAction(view, tr("To the &page"), tr("Ctrl+1"), [this] { wizard_->takeKeyboard(); });
   for (QDockWidget* dock : docks_) view.addAction(dock->toggleViewAction());
   addAction(view, tr("&Usual layout"), {}, [this] { resetLayout(); });
+}
+
+void MainWindow::addTools() {
+  tools_ = new ToolBar(this);
+  addToolBar(tools_);
+  tools_->addTools({{new_, QStringLiteral("new")},
+                    {open_, QStringLiteral("open")},
+                    {export_, QStringLiteral("export")},
+                    {report_, QStringLiteral("report")}});
+  tools_->addTools({{undo_, QStringLiteral("undo")}, {redo_, QStringLiteral("redo")}});
+  tools_->addTools({{run_, QStringLiteral("run"), ToolTint::Go},
+                    {step_, QStringLiteral("scan")},
+                    {pause_, QStringLiteral("pause")},
+                    {stop_, QStringLiteral("stop"), ToolTint::Halt}});
+  tools_->addTools({{fit_, QStringLiteral("fit")},
+                    {viewTools_->wireframe, QStringLiteral("wireframe")},
+                    {viewTools_->points, QStringLiteral("points")},
+                    {viewTools_->backFaces, QStringLiteral("back_faces")},
+                    {viewTools_->parallel, QStringLiteral("orthographic")},
+                    {viewTools_->section, QStringLiteral("section")},
+                    {viewTools_->measure, QStringLiteral("measure")}});
+}
+
+void MainWindow::handOver(void (FinishPage::*write)()) {
+  if (const QString why = controller_.permissions().whyNotExport(); !why.isEmpty()) return say(why);
+  (wizard_->finishPage().*write)();
+}
+
+// To the first page; the session that is open stays on the disk as it is.
+void MainWindow::startNew() {
+  if (controller_.hasSession() && !controller_.idle()) return say(controller_.permissions().whyNotClose());
+  if (controller_.hasSession()) controller_.close();
+  wizard_->goTo(0);
 }
 
 void MainWindow::connectController() {
@@ -247,6 +298,9 @@ void MainWindow::connectController() {
   connect(&controller_, &SessionController::setUpChanged, this, &MainWindow::refreshActions);
   connect(&wizard_->choosePage(), &ChoosePage::openRequested, door_, [this] { door_->openSession(); });
   connect(&wizard_->choosePage(), &ChoosePage::importRequested, door_, [this] { door_->importScans({}); });
+  wizard_->choosePage().showRecent(*recent_);
+  connect(&wizard_->choosePage(), &ChoosePage::recentRequested, door_,
+          [this](const QString& path) { door_->openRecent(path, *recent_); });
   connect(&wizard_->finishPage(), &FinishPage::reportRequested, this, &MainWindow::writeReport);
   connect(&wizard_->acquirePage().nextView(), &NextViewBox::considered, views_, &SessionViews::examine);
   connect(&wizard_->reviewPage(), &ReviewPage::scanChosen, views_, &SessionViews::showScan);
@@ -265,9 +319,12 @@ void MainWindow::refreshActions() {
   allow(*pause_, controller_.activity() == Activity::Running ? QString() : tr("Nothing runs that could pause."));
   allow(*stop_, controller_.idle() ? tr("Nothing runs that could be stopped.") : QString());
   allow(*close_, may.whyNotClose());
+  allow(*new_, controller_.hasSession() ? may.whyNotClose() : QString());
   allow(*open_, may.whyNotOpen());
   allow(*look_, may.whyNotOpen());
   allow(*import_, may.whyNotOpen());
+  allow(*export_, may.whyNotExport());
+  allow(*report_, may.whyNotExport());
   allow(*turnOver_, standDesk_->whyNotTurn());
   allow(*stands_, may.whyNotCompareStands());
 }
@@ -318,6 +375,7 @@ void MainWindow::applyPreferences(const Preferences& preferences) {
   views_->setNavigation(static_cast<NavigationScheme>(preferences.navigation));
   why_->setTheme(theme);
   wizard_->setTheme(theme);
+  tools_->setTheme(theme);
   timeLine_->setTheme(theme);
   attention_->setSound(preferences.sound);
 }

@@ -16,9 +16,12 @@ namespace vantage {
 class HelpDesk;
 class JobPanel;
 class LogPanel;
+class RecentSessions;
 class SessionDoor;
 class StandDesk;
 class TimeLine;
+class ToolBar;
+class ViewActions;
 
 /// What the window is made with.
 struct WindowParts {
@@ -62,6 +65,9 @@ class MainWindow final : public QMainWindow {
   void addMenus();
   void addSessionMenu();
   void addViewMenu();
+  void addTools();
+  void startNew();
+  void handOver(void (FinishPage::*write)());
   QAction* addAction(QMenu& menu, const QString& text, const QKeySequence& shortcut, const std::function<void()>& run);
   QAction* addGuarded(QMenu& menu, const QString& text, const QKeySequence& shortcut, const std::function<void()>& run);
   void connectController();
@@ -87,15 +93,21 @@ class MainWindow final : public QMainWindow {
   TimeLine* timeLine_;
   JobPanel* jobs_;
   LogPanel* log_;
+  RecentSessions* recent_;
   SessionDoor* door_;
   Attention* attention_;
   HelpDesk* help_;
   Notices notices_;
   SideDocks* sides_ = nullptr;
+  ToolBar* tools_ = nullptr;
+  ViewActions* viewTools_ = nullptr;
   QList<QDockWidget*> docks_;  ///< in the order of their keys
+  QAction* new_ = nullptr;
   QAction* open_ = nullptr;
   QAction* look_ = nullptr;
   QAction* import_ = nullptr;
+  QAction* export_ = nullptr;
+  QAction* report_ = nullptr;
   QAction* run_ = nullptr;
   QAction* step_ = nullptr;
   QAction* pause_ = nullptr;
@@ -105,8 +117,9 @@ class MainWindow final : public QMainWindow {
   QAction* redo_ = nullptr;
   QAction* close_ = nullptr;
   QAction* turnOver_ = nullptr;
+  QAction* fit_ = nullptr;
   QByteArray firstLayout_;
-  bool isLaidOut_ = false;  // by the operator, or for the first time
+  bool isLaidOut_ = false;   // by the operator, or for the first time
   bool fitsScreen_ = false;  ///< it is kept inside of its screen when it is shown
 };
 

@@ -41,6 +41,8 @@ class SessionController final : public QObject {
                     QObject* parent = nullptr);
   ~SessionController() override;
 
+  /// Where computed pictures are kept between runs; empty for nowhere.
+  [[nodiscard]] const std::string& cacheFolder() const { return cacheFolder_; }
   [[nodiscard]] Activity activity() const { return work_.activity(); }
   [[nodiscard]] bool idle() const { return work_.idle(); }
   /// The step that what is under way is at, as it calls it.

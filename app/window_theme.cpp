@@ -64,6 +64,10 @@ QString styleSheetFor(const Theme& theme) {
              "QToolButton[layer=\"true\"] { padding: 3px 8px; border: 1px solid %4; border-radius: 3px; }"
              "QToolButton[layer=\"true\"]:checked { background: %9; border-color: %9; color: %10; }"
              "QToolButton[layer=\"true\"]:focus { border: 2px solid %6; padding: 2px 7px; }"
+             "QToolButton[tool=\"true\"] { padding: 3px; border: 1px solid transparent; border-radius: 3px; }"
+             "QToolButton[tool=\"true\"]:hover { border-color: %4; }"
+             "QToolButton[tool=\"true\"]:checked { background: %4; border-color: %9; }"
+             "QToolButton[tool=\"true\"]:focus { border: 2px solid %6; padding: 2px; }"
              "QDockWidget { font-weight: 600; }"
              "QDockWidget > QWidget { font-weight: 400; }"
              "QToolTip { color: %6; background: %5; border: 1px solid %4; }")

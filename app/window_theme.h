@@ -16,7 +16,7 @@ namespace vantage {
 
 /// Gives the whole program the colours of a theme. Buttons with the property "primary" stand out, labels with the
 /// property "role" set to "title", "section", "muted", "good", "warning" or "figure" are set in that style, buttons
-/// with the property "layer" show by their colour whether they are on.
+/// with the properties "layer" and "tool" show by their colour whether they are on.
 void applyTheme(QApplication& application, const Theme& theme);
 
 }  // namespace vantage

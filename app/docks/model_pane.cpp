@@ -26,7 +26,8 @@ ModelPane::ModelPane(const SurfaceMaker& surfaces, const std::shared_ptr<Geometr
   colouring_->setObjectName(QStringLiteral("colouring"));
   addChoice(*bar, tr("Colour of the unseen edges"), {tr("Edges by kind"), tr("Edges by state")},
             [](ModelViewOptions& o, int i) { o.voidColouring = static_cast<VoidColouring>(i); });
-  addSwitch(*bar, tr("Unseen"), tr("Unseen edges: where the model ends and the unseen begins (void patches)"), &ModelViewOptions::voidPatches);
+  addSwitch(*bar, tr("Unseen"), tr("Unseen edges: where the model ends and the unseen begins (void patches)"),
+            &ModelViewOptions::voidPatches);
   addSwitch(*bar, tr("Last rays"), tr("Rays of the last view"), &ModelViewOptions::currentRays);
   addSwitch(*bar, tr("Next rays"), tr("Rays of the proposed view, or of the position asked about"),
             &ModelViewOptions::proposedRays);
@@ -108,6 +109,11 @@ void ModelPane::addCamera(QLayout& bar) {
     connect(menu->addAction(text), &QAction::triggered, this, [this, chosen = preset] { view_->lookFrom(chosen); });
   button->setMenu(menu);
   bar.addWidget(button);
+}
+
+void ModelPane::addBar(QWidget& bar) {
+  auto& column = static_cast<QVBoxLayout&>(*layout());
+  column.insertWidget(column.indexOf(view_), &bar);
 }
 
 void ModelPane::setNotice(const QString& text) {

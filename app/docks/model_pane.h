@@ -22,6 +22,8 @@ class ModelPane final : public QWidget {
   void setSnapshot(const SharedSnapshot& snapshot);
   /// A line over the view, for instance that an earlier moment is shown; empty hides it.
   void setNotice(const QString& text);
+  /// Puts what a tool needs above the view.
+  void addBar(QWidget& bar);
 
  signals:
   void noticeClicked();

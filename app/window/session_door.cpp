@@ -5,11 +5,14 @@
 #include <QFileInfo>
 #include <QMessageBox>
 #include <QMimeData>
+#include <QPointer>
 #include <QPushButton>
 #include <QSettings>
 #include <QStandardPaths>
 
 #include "help/help_topic.h"
+#include "recent/recent_list.h"
+#include "window/dropped_files.h"
 #include "wizard/choose_page.h"
 #include "wizard/import_dialog.h"
 
@@ -27,8 +30,8 @@ QString usualFolder() {
 
 }  // namespace
 
-SessionDoor::SessionDoor(SessionController& controller, const ChoosePage& choosePage, QWidget& window)
-    : QObject(&window), controller_(controller), choosePage_(choosePage), window_(window) {
+SessionDoor::SessionDoor(SessionController& controller, JobRunner& jobs, ChoosePage& choosePage, QWidget& window)
+    : QObject(&window), controller_(controller), jobs_(jobs), choosePage_(choosePage), window_(window) {
   connect(&controller, &SessionController::inUse, this, &SessionDoor::offerToLook);
 }
 
@@ -80,8 +83,69 @@ void SessionDoor::take(QDropEvent& event) {
     if (url.isLocalFile()) files << url.toLocalFile();
   if (files.isEmpty()) return;
   event.acceptProposedAction();
-  if (files.size() == 1 && files.front().endsWith(QStringLiteral(".vantage"))) return openSession(files.front());
-  importScans(files);
+  jobs_.run<Dropped>(
+      {}, [files](const Progress& progress) { return judgeDrop(files, progress); },
+      [door = QPointer(this)](const JobResult<Dropped>& result) {
+        if (!door || result.cancelled) return;
+        if (result.value)
+          door->take(*result.value);
+        else
+          door->refuseDrop(result.error + QLatin1Char('.'));
+      });
+}
+
+void SessionDoor::take(const Dropped& dropped) {
+  switch (dropped.kind) {
+    case DropKind::Session:
+      return openSession(dropped.files.front());
+    case DropKind::Scans:
+      return importScans(dropped.files);
+    case DropKind::Mesh:
+      return takeMesh(dropped.files.front());
+    case DropKind::Refused:
+      refuseDrop(dropped.whyNot);
+  }
+}
+
+void SessionDoor::refuseDrop(const QString& why) {
+  auto* box = new QMessageBox(QMessageBox::Information, tr("Not taken"), why, QMessageBox::Ok, &window_);
+  box->setAttribute(Qt::WA_DeleteOnClose);
+  box->setObjectName(QStringLiteral("dropRefused"));
+  setHelpTopic(*box, QStringLiteral("messages_files#a-file-that-was-dropped-is-not-taken"));
+  box->setInformativeText(droppableText());
+  box->open();
+}
+
+// What a mesh is for is asked: it may be what is scanned, or something else.
+void SessionDoor::takeMesh(const QString& path) {
+  const QString name = QFileInfo(path).fileName();
+  if (!choosePage_.isVisible())
+    return refuseDrop(
+        tr("%1 is a mesh. A mesh can be dropped on the first page, as what the simulated scanner looks at.").arg(name));
+  if (const QString why = choosePage_.whyNoObject(); !why.isEmpty())
+    return refuseDrop(tr("%1 is a mesh. %2").arg(name, why));
+  auto* box = new QMessageBox(QMessageBox::Question, tr("A mesh"), tr("%1 is a mesh.").arg(name), QMessageBox::Cancel,
+                              &window_);
+  box->setAttribute(Qt::WA_DeleteOnClose);
+  box->setObjectName(QStringLiteral("droppedMesh"));
+  setHelpTopic(*box, QStringLiteral("choose#files-that-are-dropped"));
+  box->setInformativeText(tr("The simulated scanner can look at it. Its file is only read."));
+  QPushButton* scan = box->addButton(tr("&Scan it in simulation"), QMessageBox::AcceptRole);
+  scan->setObjectName(QStringLiteral("scanMesh"));
+  box->setDefaultButton(scan);
+  connect(scan, &QPushButton::clicked, this, [this, path] {
+    if (const QString why = choosePage_.whyNoObject(); !why.isEmpty()) return emit refused(why);
+    choosePage_.takeObject(path);
+  });
+  box->open();
+}
+
+void SessionDoor::openRecent(const QString& path, RecentSessions& recent) {
+  if (!QFileInfo::exists(path)) {
+    recent.refresh();
+    return offerToForget(recent, path, window_);
+  }
+  openSession(path);
 }
 
 }  // namespace vantage

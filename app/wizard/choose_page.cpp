@@ -15,6 +15,7 @@
 #include "form_parts.h"
 #include "help/help_topic.h"
 #include "io/mesh_reader.h"
+#include "recent/recent_list.h"
 #include "settings/settings_form.h"
 #include "wizard/device_editor.h"
 
@@ -169,6 +170,23 @@ void ChoosePage::build() {
                                "the window."));
   connect(import, &QPushButton::clicked, this, &ChoosePage::importRequested);
   column().addWidget(import);
+}
+
+// Below the words that the page begins with.
+void ChoosePage::showRecent(RecentSessions& sessions) {
+  auto* list = new RecentList(sessions, controller());
+  connect(list, &RecentList::chosen, this, &ChoosePage::recentRequested);
+  column().insertWidget(1, list);
+}
+
+QString ChoosePage::whyNoObject() const {
+  if (controller().hasSession()) return tr("The session that is open keeps the object that it was begun with.");
+  if (!devices_->simulated()) return tr("Only the simulated scanner looks at a mesh, and another scanner is chosen.");
+  return {};
+}
+
+void ChoosePage::takeObject(const QString& path) {
+  select(*object_, path);
 }
 
 ImportChoice ChoosePage::importChoice() const {

@@ -11,6 +11,7 @@ class QVBoxLayout;
 namespace vantage {
 
 class DeviceEditor;
+class RecentSessions;
 struct RigFile;
 class SettingsForm;
 
@@ -34,9 +35,17 @@ class ChoosePage final : public WizardPage {
   /// What of the page holds for recorded scans, too.
   [[nodiscard]] ImportChoice importChoice() const;
 
+  /// Offers the sessions of lately, as long as none is open.
+  void showRecent(RecentSessions& sessions);
+  /// Why no mesh can be chosen as what the simulated scanner looks at; empty when one can.
+  [[nodiscard]] QString whyNoObject() const;
+  /// Chooses a mesh as what the simulated scanner looks at. @pre whyNoObject is empty
+  void takeObject(const QString& path);
+
  signals:
-  void openRequested();    ///< the operator wants to open a session
-  void importRequested();  ///< or to import recorded scans
+  void recentRequested(const QString& path);  ///< one of those is to be opened
+  void openRequested();                       ///< the operator wants to open a session
+  void importRequested();                     ///< or to import recorded scans
 
  private:
   void build();

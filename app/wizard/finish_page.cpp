@@ -50,24 +50,14 @@ FinishPage::FinishPage(SessionController& controller, QWidget* parent)
                     tr("Text that nearly every program reads."), false),
           &QPushButton::clicked, this, exportTo(QStringLiteral("model.obj")));
   connect(addExport(tr("Export &as…"), QStringLiteral("exportAs"), {}, tr("To a file of your choice."), false),
-          &QPushButton::clicked, this, [this] {
-            QString filter;
-            const QString path = QFileDialog::getSaveFileName(
-                this, tr("Export the model"), inFolder(QStringLiteral("model.stl")),
-                tr("STL (*.stl);;PLY (*.ply);;OBJ (*.obj);;3MF (*.3mf)"), &filter, QFileDialog::DontConfirmOverwrite);
-            if (!path.isEmpty())
-              writeTo(withSuffix(path, filter), [this](const QString& to) { this->controller().exportModel(to); });
-          });
+          &QPushButton::clicked, this, &FinishPage::exportAs);
   connect(addExport(tr("Rea&dy to print…"), QStringLiteral("exportPrintable"), {},
                     tr("Closed, in one piece, or you learn why not; also fewer triangles, inches, 3MF."), false),
           &QPushButton::clicked, this, &FinishPage::exportForPrint);
   addSection(tr("Report"));
   connect(addExport(tr("&Write the report"), QStringLiteral("report"), QStringLiteral("report.html"),
                     tr("One HTML page with pictures, figures, times and what is left."), false),
-          &QPushButton::clicked, this, [this] {
-            writeTo(inFolder(QStringLiteral("report.html")),
-                    [this](const QString& path) { emit reportRequested(path); });
-          });
+          &QPushButton::clicked, this, &FinishPage::report);
   column().addWidget(written_);
   column().addStretch();
   connect(&controller, &SessionController::written, this, [this](const QString& path) {
@@ -121,6 +111,18 @@ QPushButton* FinishPage::addExport(const QString& text, const QString& name, con
   column().addWidget(button);
   column().addWidget(makeLabel(file.isEmpty() ? help : file + QStringLiteral(": ") + help, "muted"));
   return button;
+}
+
+void FinishPage::exportAs() {
+  QString filter;
+  const QString path = QFileDialog::getSaveFileName(this, tr("Export the model"), inFolder(QStringLiteral("model.stl")),
+                                                    tr("STL (*.stl);;PLY (*.ply);;OBJ (*.obj);;3MF (*.3mf)"), &filter,
+                                                    QFileDialog::DontConfirmOverwrite);
+  if (!path.isEmpty()) writeTo(withSuffix(path, filter), [this](const QString& to) { controller().exportModel(to); });
+}
+
+void FinishPage::report() {
+  writeTo(inFolder(QStringLiteral("report.html")), [this](const QString& path) { emit reportRequested(path); });
 }
 
 void FinishPage::exportForPrint() {

@@ -24,6 +24,12 @@ class FinishPage final : public WizardPage {
   void entered() override;
   void leaving() override;
 
+  /// Asks where to, and writes the model; asks before it replaces a file.
+  /// @pre nothing is against it (Permissions::whyNotExport), for both
+  void exportAs();
+  /// Writes the report to its place in the session's folder; asks before it replaces one.
+  void report();
+
  signals:
   void reportRequested(const QString& path);  ///< with pictures, which a page cannot make
 

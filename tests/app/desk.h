@@ -5,6 +5,7 @@
 #include <QApplication>
 #include <QDir>
 #include <QLineEdit>
+#include <QSettings>
 #include <QSpinBox>
 #include <memory>
 
@@ -18,6 +19,7 @@ class Desk {
  public:
   Desk(const QSize& size, bool dark) {
     QDir(folder()).removeRecursively();
+    QSettings().remove(QStringLiteral("recentSessions"));
     Preferences preferences;
     preferences.theme = dark ? 1 : 0;
     window_ = std::make_unique<MainWindow>(

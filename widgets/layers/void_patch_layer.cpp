@@ -64,6 +64,14 @@ void VoidPatchLayer::setVisible(bool visible) {
   });
 }
 
+void VoidPatchLayer::setSection(const std::optional<Section>& section) {
+  section_ = section;
+  scene_.change([this, section] {
+    for (vtkActor* actor : {patches_.Get(), highlighted_.Get()})
+      setClip(*actor, section ? std::optional(section->plane()) : std::nullopt);
+  });
+}
+
 void VoidPatchLayer::setTheme(const Theme& theme) {
   scene_.change([this, &theme] { setColour(*highlighted_, toRgb(theme.examined)); });
 }
@@ -88,6 +96,7 @@ std::optional<VoidPatchLayer::Pick> VoidPatchLayer::pick(const SightLine& line) 
   const std::vector<VoidPatch>& patches = plan_->voids->patches;
   for (std::size_t p = 0; p < patches.size(); ++p) {
     const auto distance = distanceTo(patches[p].corners, line);
+    if (distance && section_ && section_->hides(line.origin + *distance * line.direction)) continue;
     if (distance && (!nearest || *distance < nearest->distance))
       nearest = Pick{static_cast<std::uint32_t>(p), *distance};
   }

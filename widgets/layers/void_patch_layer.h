@@ -19,6 +19,8 @@ class VoidPatchLayer {
 
   void set(std::shared_ptr<const Plan> plan, VoidColouring colouring);  ///< null for none
   void setVisible(bool visible);
+  /// Takes away what is before a plane; nothing takes nothing away.
+  void setSection(const std::optional<Section>& section);
   void setTheme(const Theme& theme);
   void highlight(const std::vector<std::uint32_t>& patches);
 
@@ -35,6 +37,7 @@ class VoidPatchLayer {
   VoidColouring colouring_ = VoidColouring::EdgeClass;
   vtkSmartPointer<vtkActor> patches_;
   vtkSmartPointer<vtkActor> highlighted_;
+  std::optional<Section> section_;
   bool visible_ = true;
 };
 

@@ -140,6 +140,7 @@ ModelScene::ModelScene()
       voids_(scene_),
       currentRays_(scene_),
       proposedRays_(scene_),
+      measure_(scene_),
       theme_(&lightTheme()) {
   setTheme(lightTheme());
 }
@@ -168,6 +169,7 @@ void ModelScene::setTheme(const Theme& theme) {
   viewMark_.setTheme(theme);
   model_.setTheme(theme);
   voids_.setTheme(theme);
+  measure_.setTheme(theme);
   currentRays_.setColour(theme.current);
   proposedRays_.setColour(examined_ ? theme.examined : theme.proposed);
 }
@@ -196,6 +198,9 @@ ModelColouring ModelScene::colouring() const {
 void ModelScene::update() {
   model_.set(geometry_, colouring(), snapshot_ ? standsOf(snapshot_->views) : std::vector<int>());
   model_.setVisible(options_.surface, options_.boundary);
+  model_.setStyle(options_.style, options_.backFaces);
+  model_.setSection(options_.section);
+  voids_.setSection(options_.section);
   voids_.set(snapshot_ ? snapshot_->plan : nullptr, options_.voidColouring);
   voids_.setVisible(options_.voidPatches);
   turntable_.setVisible(options_.turntable);
@@ -319,15 +324,34 @@ Overlay ModelScene::overlay() const {
 
 std::optional<ModelScene::Pick> ModelScene::pick(const SightLine& line) const {
   const auto patch = voids_.pick(line);
-  std::optional<RayHit> surface;
-  if (geometry_ && geometry_->caster && options_.surface)
-    surface = geometry_->caster->intersect(line.origin, line.direction);
+  const auto surface = pickSurface(line);
   // Patches begin on the surface's border: in a draw they are what is meant.
   constexpr double kDraw = 0.5;
-  if (patch && (!surface || patch->distance < surface->distance + kDraw))
+  const auto distanceOf = [&](const Pick& pick) { return (pick.point - line.origin).norm(); };
+  if (patch && (!surface || patch->distance < distanceOf(*surface) + kDraw))
     return Pick{patch->patch, {}, line.origin + patch->distance * line.direction};
-  if (surface) return Pick{{}, surface->triangle, line.origin + surface->distance * line.direction};
+  return surface;
+}
+
+// What is cut away is passed through.
+std::optional<ModelScene::Pick> ModelScene::pickSurface(const SightLine& line) const {
+  if (!geometry_ || !geometry_->caster || !options_.surface) return std::nullopt;
+  constexpr double kBehind = 1e-3;  // [mm]
+  constexpr int kMostLayers = 256;
+  SightLine rest = line;
+  for (int layer = 0; layer < kMostLayers; ++layer) {
+    const auto hit = geometry_->caster->intersect(rest.origin, rest.direction);
+    if (!hit) return std::nullopt;
+    const Vec3 point = rest.origin + hit->distance * rest.direction;
+    if (!options_.section || !options_.section->hides(point)) return Pick{{}, hit->triangle, point};
+    rest.origin = point + kBehind * rest.direction;
+  }
   return std::nullopt;
+}
+
+void ModelScene::setMeasured(const std::vector<Vec3>& places) {
+  constexpr double kShare = 0.012;  // of what there is to look at
+  measure_.set(places, kShare * box().size().norm());
 }
 
 QImage makePicture(Scene& scene, const Overlay& overlay, const Theme& theme, OffscreenWindow& window, const QSize& size,

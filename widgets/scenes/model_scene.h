@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "layers/measure_layer.h"
 #include "layers/model_layer.h"
 #include "layers/ranging_rays_layer.h"
 #include "layers/set_up_layer.h"
@@ -39,6 +40,9 @@ class ModelScene {
   /// Lights up what a view of the model brought; nothing lights up nothing. The next snapshot lights up nothing.
   void markView(std::optional<std::uint32_t> view);
 
+  /// Shows places that are measured between: none, one or two.
+  void setMeasured(const std::vector<Vec3>& places);
+
   [[nodiscard]] const SharedSnapshot& snapshot() const { return snapshot_; }
   [[nodiscard]] const ModelGeometry* geometry() const { return geometry_.get(); }
 
@@ -56,6 +60,8 @@ class ModelScene {
   };
   /// What a line meets first; nothing when it misses everything.
   [[nodiscard]] std::optional<Pick> pick(const SightLine& line) const;
+  /// Where a line meets the surface as it is shown first, whatever else is before it.
+  [[nodiscard]] std::optional<Pick> pickSurface(const SightLine& line) const;
 
  private:
   void update();
@@ -72,6 +78,7 @@ class ModelScene {
   VoidPatchLayer voids_;
   RangingRaysLayer currentRays_;
   RangingRaysLayer proposedRays_;
+  MeasureLayer measure_;
 
   SharedSnapshot snapshot_;
   std::shared_ptr<const ModelGeometry> geometry_;

@@ -7,6 +7,8 @@
 
 #include "layers/model_options.h"
 #include "layers/view_snapshot.h"
+#include "scenes/tool_notes.h"
+#include "views/background_work.h"
 #include "views/scene_view.h"
 
 namespace vantage {
@@ -37,6 +39,16 @@ class ModelView final : public SceneView {
   void markView(std::optional<std::uint32_t> view);
   void highlight(const std::vector<std::uint32_t>& patches);
   void setTheme(const Theme& theme) override;
+  /// Projects in parallel, and says so in the view.
+  void showParallel(bool parallel);
+  /// From now on clicks, and Enter for the middle of the view, pick places on the surface to measure between; or not
+  /// any more. Either forgets the places that were picked. A third place is the first of the next two.
+  void setMeasuring(bool measuring);
+  [[nodiscard]] const std::vector<Vec3>& measured() const { return tools_.measured; }
+  /// What there is to look at.
+  [[nodiscard]] BoundingBox modelBox() const;
+  /// What the cut of the options cuts out of the model; nothing while that is computed, without a cut or a model.
+  [[nodiscard]] const std::optional<PlaneSection>& cutOut() const { return tools_.section; }
 
   /// Waits until the model is ready and shown. For tests and pictures.
   void finishLoading();
@@ -46,6 +58,8 @@ class ModelView final : public SceneView {
   void surfacePicked(std::uint32_t triangle);  ///< of the model
   void nothingPicked();
   void loadingChanged(bool loading);
+  void measuredChanged();
+  void cutOutChanged();
 
  protected:
   [[nodiscard]] Camera cameraFor(CameraPreset preset, double aspect) const override;
@@ -54,14 +68,19 @@ class ModelView final : public SceneView {
   void hoverLeft() override;
   void movingChanged(bool moving) override;
   [[nodiscard]] Vec3 centreOf(const SightLine& line) const override;
+  void keyPressEvent(QKeyEvent* event) override;
 
  private:
   void show(const SharedSnapshot& snapshot, const std::shared_ptr<const ModelGeometry>& geometry);
   void refresh();
+  void measureAt(const SightLine& line);
+  void computeCutOut();
 
   std::unique_ptr<ModelScene> scene_;
   std::unique_ptr<GeometryLoader> loader_;
   bool fittedToModel_ = false;
+  ViewTools tools_;
+  BackgroundWork cutting_;
 };
 
 }  // namespace vantage

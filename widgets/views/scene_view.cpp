@@ -100,10 +100,18 @@ const Camera& SceneView::camera() const {
 }
 
 void SceneView::setCamera(const Camera& camera) {
-  scene_->setCamera(camera);
-  overlay_->setCamera(camera);
+  Camera set = camera;
+  set.parallel = parallel_;
+  scene_->setCamera(set);
+  overlay_->setCamera(set);
   redraw();
   emit cameraChanged();
+}
+
+void SceneView::setParallel(bool parallel) {
+  if (parallel == parallel_) return;
+  parallel_ = parallel;
+  setCamera(camera());
 }
 
 double SceneView::aspect() const {
@@ -117,7 +125,8 @@ void SceneView::lookFrom(CameraPreset preset) {
 void SceneView::takePictures(const std::vector<CameraPreset>& presets, const Taken& taken) {
   const auto pictures = std::make_shared<std::vector<QImage>>();
   for (const CameraPreset preset : presets) {
-    const Camera camera = cameraFor(preset, aspect());
+    Camera camera = cameraFor(preset, aspect());
+    camera.parallel = parallel_;
     surface_->takePicture(camera, [this, camera, pictures, taken, wanted = presets.size()](QImage picture) {
       overlay_->writeOn(picture, camera);
       pictures->push_back(std::move(picture));

@@ -28,6 +28,8 @@ class SceneView : public QWidget {
   void lookFrom(CameraPreset preset);
   [[nodiscard]] const Camera& camera() const;
   void setCamera(const Camera& camera);
+  /// Projects in parallel from now on, whatever the camera is set to, or in perspective again.
+  void setParallel(bool parallel);
 
   using Taken = std::function<void(const std::vector<QImage>& pictures)>;
   /// Takes pictures from some sides with what is written over them; the camera stays where it is. They are handed over
@@ -41,6 +43,8 @@ class SceneView : public QWidget {
   void cameraChanged();
 
  protected:
+  /// The line under a point of the widget.
+  [[nodiscard]] SightLine lineAt(const QPointF& point) const;
   /// To be called once, when the scene is there. @param scene must outlive the surface.
   void attach(Scene& scene, const SurfaceMaker& surfaces);
   void detach();  ///< before the scene goes
@@ -68,7 +72,6 @@ class SceneView : public QWidget {
  private:
   class OverlayWidget;
 
-  [[nodiscard]] SightLine lineAt(const QPointF& point) const;
   [[nodiscard]] double aspect() const;
   void beginMoving();
   void endMoving();
@@ -84,6 +87,7 @@ class SceneView : public QWidget {
   QPointF last_;
   bool dragged_ = false;
   bool moving_ = false;
+  bool parallel_ = false;
   int restTimer_ = 0;
 };
 

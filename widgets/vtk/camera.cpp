@@ -11,12 +11,21 @@ constexpr double kMargin = 1.12;
 
 }  // namespace
 
+double parallelStart(const Camera& camera) {
+  constexpr double kLeast = 5000.0;
+  return std::max(kLeast, 10.0 * camera.distance());
+}
+
 SightLine sightLine(const Camera& camera, const QPointF& point, const QSizeF& size) {
   const double half = std::tan(0.5 * camera.viewAngle);
   const double x = (2.0 * point.x() - size.width()) / size.height() * half;
   const double y = (1.0 - 2.0 * point.y() / size.height()) * half;
   const Vec3 forward = camera.forward();
   const Vec3 right = camera.right();
+  if (camera.parallel) {
+    const Vec3 middle = camera.target - parallelStart(camera) * forward;
+    return {middle + camera.distance() * (x * right + y * right.cross(forward)), forward};
+  }
   return {camera.eye, (forward + x * right + y * right.cross(forward)).normalized()};
 }
 

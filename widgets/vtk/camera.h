@@ -26,6 +26,8 @@ struct Camera {
   Vec3 target = Vec3::Zero();
   Vec3 up = Vec3::UnitZ();
   double viewAngle = radians(30.0);  ///< over the height of the picture [rad]
+  /// What is far is as large as what is near; at the target all is as large as in perspective.
+  bool parallel = false;
 
   [[nodiscard]] Vec3 forward() const { return (target - eye).normalized(); }
   [[nodiscard]] Vec3 right() const { return forward().cross(up).normalized(); }
@@ -37,6 +39,9 @@ struct SightLine {
   Vec3 origin;
   Vec3 direction;  ///< unit
 };
+
+/// How far before the target lines of a parallel camera begin: before everything that there is to see [mm].
+[[nodiscard]] double parallelStart(const Camera& camera);
 
 /// The line under a point of a picture; y runs down from the top edge.
 [[nodiscard]] SightLine sightLine(const Camera& camera, const QPointF& point, const QSizeF& size);

@@ -4,6 +4,7 @@
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkFloatArray.h>
+#include <vtkPlane.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
@@ -143,6 +144,19 @@ void setColour(vtkActor& actor, const Rgb& colour) {
 
 void setUnlit(vtkActor& actor) {
   actor.GetProperty()->SetLighting(false);
+}
+
+// VTK keeps what is on the side that the normal points to.
+void setClip(vtkActor& actor, const std::optional<SurfacePlane>& plane) {
+  vtkMapper& mapper = *actor.GetMapper();
+  mapper.RemoveAllClippingPlanes();
+  if (!plane) return;
+  const auto kept = vtkSmartPointer<vtkPlane>::New();
+  const Vec3 origin = plane->offset * plane->normal;
+  const Vec3 normal = -plane->normal;
+  kept->SetOrigin(origin.x(), origin.y(), origin.z());
+  kept->SetNormal(normal.x(), normal.y(), normal.z());
+  mapper.AddClippingPlane(kept);
 }
 
 void setInFront(vtkActor& actor, double units) {

@@ -4,11 +4,13 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "geometry/mesh.h"
 #include "look/colour_map.h"
+#include "measuring/surface_plane.h"
 
 class vtkActor;
 class vtkPolyData;
@@ -37,5 +39,7 @@ void setColour(vtkActor& actor, const Rgb& colour);
 void setUnlit(vtkActor& actor);
 /// Moves an actor toward the eye in depth, so that it is seen on a surface that it lies in.
 void setInFront(vtkActor& actor, double units);
+/// Draws nothing of the actor that is before a plane; without one all of it.
+void setClip(vtkActor& actor, const std::optional<SurfacePlane>& plane);
 
 }  // namespace vantage

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <utility>
 
 // Without it VTK makes renderers and mappers that draw nothing.
@@ -93,7 +94,10 @@ void Scene::setTheme(const Theme& theme) {
 void Scene::prepare(const Camera& camera, double pixelRatio) {
   carryOutChanges();
   vtkCamera& shown = *renderer_->GetActiveCamera();
-  shown.SetPosition(camera.eye.data());
+  shown.SetParallelProjection(camera.parallel);
+  shown.SetParallelScale(camera.distance() * std::tan(0.5 * camera.viewAngle));
+  const Vec3 eye = camera.parallel ? Vec3(camera.target - parallelStart(camera) * camera.forward()) : camera.eye;
+  shown.SetPosition(eye.data());
   shown.SetFocalPoint(camera.target.data());
   shown.SetViewUp(camera.up.data());
   shown.SetViewAngle(degrees(camera.viewAngle));
