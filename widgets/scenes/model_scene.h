@@ -39,6 +39,9 @@ class ModelScene {
   /// Lights up what a view of the model brought; nothing lights up nothing. The next snapshot lights up nothing.
   void markView(std::optional<std::uint32_t> view);
 
+  /// Marks a part of the model that is about to be erased; null marks nothing. The next snapshot marks nothing.
+  void markErasure(const std::shared_ptr<const Mesh>& part);
+
   [[nodiscard]] const SharedSnapshot& snapshot() const { return snapshot_; }
   [[nodiscard]] const ModelGeometry* geometry() const { return geometry_.get(); }
 
@@ -69,6 +72,7 @@ class ModelScene {
   SetUpLayer setUp_;
   ModelLayer model_;
   ViewMarkLayer viewMark_;
+  ViewMarkLayer erasure_;
   VoidPatchLayer voids_;
   RangingRaysLayer currentRays_;
   RangingRaysLayer proposedRays_;
@@ -78,6 +82,7 @@ class ModelScene {
   ModelViewOptions options_;
   std::optional<int> examined_;
   std::optional<std::uint32_t> markedView_;
+  bool marksErasure_ = false;
   const Theme* theme_;
 };
 
