@@ -38,7 +38,7 @@ struct EraseArguments {
 Region regionFromFile(const std::string& path) {
   std::ifstream file(path);
   std::stringstream text;
-  if (!(text << file.rdbuf())) throw IoError(path + ": cannot be read, expected a region as JSON");
+  if (!(text << file.rdbuf())) throw IoError(path, "cannot be read, expected a region as JSON");
   const nlohmann::json json = jsonObject(text.str(), path);
   return regionFrom(JsonFields(json, path));
 }
