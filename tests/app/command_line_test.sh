@@ -258,7 +258,7 @@ expect 1 "region.json is damaged" "$cli" erase "$work/erased.vantage" --region "
 expect 0 "erased" "$cli" report "$work/erased.vantage" --out "$work/erased.html"
 expect 0 "Erasure 2 taken back" "$cli" erase "$work/erased.vantage" --take-back 2
 expect 1 "there is no erasure 2" "$cli" erase "$work/erased.vantage" --take-back 2
-expect 0 "mm" "$cli" export "$work/erased.vantage" --out "$work/erased.stl"
+expect 0 "triangles" "$cli" export "$work/erased.vantage" --out "$work/erased.stl"
 
 # Assisted steps: range files that the operator brings.
 expect 2 "--position" "$cli" step "$work/whole/session.vantage" --range "$work/nothing.ply"
