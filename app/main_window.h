@@ -13,6 +13,7 @@
 
 namespace vantage {
 
+class Erasing;
 class HelpDesk;
 class JobPanel;
 class LogPanel;
@@ -39,6 +40,7 @@ class MainWindow final : public QMainWindow {
   [[nodiscard]] Wizard& wizard() { return *wizard_; }
   [[nodiscard]] SessionViews& views() { return *views_; }
   [[nodiscard]] HelpDesk& help() { return *help_; }
+  [[nodiscard]] Erasing& erasing() { return *erasing_; }
 
   void applyPreferences(const Preferences& preferences);
   /// Shows how a stand that is not in place yet lies in the object; without a number that of the last of them.
@@ -70,6 +72,7 @@ class MainWindow final : public QMainWindow {
   void setLeastSize();
   void layOutDocks();
   void say(const QString& why);
+  void startErasing();
   void editSettings();
   void writeReport(const QString& path);
   void resetLayout();
@@ -90,6 +93,7 @@ class MainWindow final : public QMainWindow {
   SessionDoor* door_;
   Attention* attention_;
   HelpDesk* help_;
+  Erasing* erasing_;
   Notices notices_;
   SideDocks* sides_ = nullptr;
   QList<QDockWidget*> docks_;  ///< in the order of their keys
@@ -103,10 +107,11 @@ class MainWindow final : public QMainWindow {
   QAction* stands_ = nullptr;
   QAction* undo_ = nullptr;
   QAction* redo_ = nullptr;
+  QAction* erase_ = nullptr;
   QAction* close_ = nullptr;
   QAction* turnOver_ = nullptr;
   QByteArray firstLayout_;
-  bool isLaidOut_ = false;  // by the operator, or for the first time
+  bool isLaidOut_ = false;   // by the operator, or for the first time
   bool fitsScreen_ = false;  ///< it is kept inside of its screen when it is shown
 };
 
