@@ -44,6 +44,11 @@ QString adviceFor(const AcquisitionState& state, const Completeness& completenes
   if (further && further->predicted && promise(*further->predicted) > 0.0)
     return Text::tr("Scan on: position %1 would show %2.")
         .arg(QString::number(further->position), areaText(promise(*further->predicted)));
+  if (completeness.erasedHoles == completeness.holes)
+    return Text::tr(
+        "What is open is where you erased what is not the object: turn the object over to see what was hidden there, "
+        "or "
+        "close the openings when the model is used.");
   if (!state.profile)
     return Text::tr(
         "What is open was not seen by these scans: add scans that see it, or close the openings when the "
@@ -82,7 +87,10 @@ CompletenessCard makeCompletenessCard(const AcquisitionState& state, const Compl
   if (!completeness.closed)
     card.figures.push_back({Text::tr("Of the whole surface, at most"), shareText(completeness.wholeCovered),
                             Text::tr("as far as its openings tell; behind them there may be more")});
-  card.figures.push_back({Text::tr("Openings"), QString::number(completeness.holes), {}});
+  card.figures.push_back({Text::tr("Openings"), QString::number(completeness.holes),
+                          completeness.erasedHoles > 0
+                              ? Text::tr("%1 of them where you erased something").arg(completeness.erasedHoles)
+                              : QString()});
   card.figures.push_back({Text::tr("Loose pieces"), QString::number(completeness.pieces),
                           completeness.pieces > 1 ? Text::tr("what joins them was not seen") : QString()});
   card.figures.push_back(

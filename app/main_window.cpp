@@ -21,6 +21,7 @@
 #include "docks/session_log.h"
 #include "docks/time_line.h"
 #include "docks/view_actions.h"
+#include "erase/erasing.h"
 #include "help/help_desk.h"
 #include "help/help_topic.h"
 #include "outlook_text.h"
@@ -77,6 +78,7 @@ MainWindow::MainWindow(const WindowParts& parts, const Preferences& preferences,
       door_(new SessionDoor(parts.controller, parts.jobs, wizard_->choosePage(), *this)),
       attention_(new Attention(parts.controller, *this)),
       help_(new HelpDesk(parts.resources + QStringLiteral("/manual/operator"), *this)),
+      erasing_(new Erasing(parts.controller, parts.jobs, views_->model(), this)),
       notices_(*this) {
   connect(standDesk_, &StandDesk::comparisonWanted, this, [this] { compareStands(standDesk_->stand()); });
   setTabPosition(Qt::RightDockWidgetArea, QTabWidget::North);
@@ -165,6 +167,8 @@ void MainWindow::addMenus() {
   edit.setToolTipsVisible(true);
   undo_ = addGuarded(edit, tr("&Undo"), QKeySequence::Undo, [this] { controller_.undo(); });
   redo_ = addGuarded(edit, tr("&Redo"), QKeySequence::Redo, [this] { controller_.redo(); });
+  edit.addSeparator();
+  erase_ = addGuarded(edit, tr("&Erase from the model…"), tr("Ctrl+Shift+E"), [this] { startErasing(); });
   edit.addSeparator();
   addAction(edit, tr("&Settings…"), tr("Ctrl+,"), [this] { editSettings(); });
   addViewMenu();
@@ -302,6 +306,10 @@ void MainWindow::connectController() {
   connect(&wizard_->choosePage(), &ChoosePage::recentRequested, door_,
           [this](const QString& path) { door_->openRecent(path, *recent_); });
   connect(&wizard_->finishPage(), &FinishPage::reportRequested, this, &MainWindow::writeReport);
+  connect(erasing_, &Erasing::refused, this, &MainWindow::say);
+  for (WizardPage* page :
+       {static_cast<WizardPage*>(&wizard_->reviewPage()), static_cast<WizardPage*>(&wizard_->finishPage())})
+    connect(page, &WizardPage::eraseWanted, this, &MainWindow::startErasing);
   connect(&wizard_->acquirePage().nextView(), &NextViewBox::considered, views_, &SessionViews::examine);
   connect(&wizard_->reviewPage(), &ReviewPage::scanChosen, views_, &SessionViews::showScan);
   connect(&wizard_->reviewPage(), &ReviewPage::edgesWanted, views_, &SessionViews::showEdges);
@@ -314,6 +322,7 @@ void MainWindow::refreshActions() {
   jobs_->setOutlook(scans ? outlookText(*controller_.now()) : QString());
   allow(*undo_, may.whyNotUndo());
   allow(*redo_, may.whyNotRedo());
+  allow(*erase_, erasing_->desk().whyNot());
   allow(*run_, may.whyNotRun());
   allow(*step_, may.whyNotScan());
   allow(*pause_, controller_.activity() == Activity::Running ? QString() : tr("Nothing runs that could pause."));
@@ -340,6 +349,10 @@ void MainWindow::refreshTitle() {
   file.setValue(QStringLiteral("lastSession"), path);
   file.sync();
   refreshActions();
+}
+
+void MainWindow::startErasing() {
+  if (const QString why = erasing_->start(); !why.isEmpty()) say(why);
 }
 
 void MainWindow::say(const QString& why) {

@@ -13,6 +13,7 @@
 
 namespace vantage {
 
+class Erasing;
 class HelpDesk;
 class JobPanel;
 class LogPanel;
@@ -42,6 +43,7 @@ class MainWindow final : public QMainWindow {
   [[nodiscard]] Wizard& wizard() { return *wizard_; }
   [[nodiscard]] SessionViews& views() { return *views_; }
   [[nodiscard]] HelpDesk& help() { return *help_; }
+  [[nodiscard]] Erasing& erasing() { return *erasing_; }
 
   void applyPreferences(const Preferences& preferences);
   /// Shows how a stand that is not in place yet lies in the object; without a number that of the last of them.
@@ -76,6 +78,7 @@ class MainWindow final : public QMainWindow {
   void setLeastSize();
   void layOutDocks();
   void say(const QString& why);
+  void startErasing();
   void editSettings();
   void writeReport(const QString& path);
   void resetLayout();
@@ -97,6 +100,7 @@ class MainWindow final : public QMainWindow {
   SessionDoor* door_;
   Attention* attention_;
   HelpDesk* help_;
+  Erasing* erasing_;
   Notices notices_;
   SideDocks* sides_ = nullptr;
   ToolBar* tools_ = nullptr;
@@ -115,6 +119,7 @@ class MainWindow final : public QMainWindow {
   QAction* stands_ = nullptr;
   QAction* undo_ = nullptr;
   QAction* redo_ = nullptr;
+  QAction* erase_ = nullptr;
   QAction* close_ = nullptr;
   QAction* turnOver_ = nullptr;
   QAction* fit_ = nullptr;

@@ -110,6 +110,10 @@ QString Permissions::whyNotCompareStands() const {
   return standsToAlign(*at_.now).empty() ? tr("All stands that have views are in place.") : QString();
 }
 
+QString Permissions::whyNotErase() const {
+  return whyNot(EraseRegion{at_.now ? at_.now->stand() : 0, BelowPlane{}, true});
+}
+
 QString Permissions::whyNotOpen() const {
   return busyOr({});
 }

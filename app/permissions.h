@@ -45,6 +45,8 @@ class Permissions {
   [[nodiscard]] QString whyNotAddScans() const;
   /// Why there is no stand whose place in the object could be looked at.
   [[nodiscard]] QString whyNotCompareStands() const;
+  /// Why nothing can be erased from the model.
+  [[nodiscard]] QString whyNotErase() const;
   [[nodiscard]] QString whyNotOpen() const;
   [[nodiscard]] QString whyNotClose() const;
 

@@ -25,7 +25,7 @@ Present Present::of(const Session& session) {
   present.cursor_ = static_cast<int>(history.cursor());
   present.table_ = vantage::tablePosition(session);
   const AcquisitionState object = withObject(*present.state_);
-  if (object.model) present.completeness_ = completenessOf(object.model->mesh, object.plan.get());
+  if (object.model) present.completeness_ = completenessOf(object);
   // Only of the moment that holds is known what an end leaves.
   if (std::holds_alternative<Finish>(history.current().command) && present.state_->termination != Termination::Running)
     present.moments_[history.cursor()].text = endingText(*present.state_);

@@ -68,6 +68,10 @@ QString refusalText(const Refusal& refusal) {
       return Text::tr("Something speaks against pose %1.").arg(number);
     case RefusalReason::StandsTogether:
       return Text::tr("Several stands make the object already. Undo what put them together first.");
+    case RefusalReason::StandNotInWork:
+      return Text::tr("Stand %1 is not aligned with the one that is worked on.").arg(number);
+    case RefusalReason::NotErased:
+      return Text::tr("There is no erasure %1 to take back.").arg(number);
     case RefusalReason::OtherStand:
       break;
   }

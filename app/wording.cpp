@@ -73,6 +73,8 @@ QString edgeReasonText(EdgeReason reason, PlanOutcome outcome) {
       return outcome == PlanOutcome::Found ? Text::tr("Not scanned yet") : Text::tr("Too little to be worth it");
     case EdgeReason::Answered:
       return Text::tr("Looked at, no surface");
+    case EdgeReason::Erased:
+      return Text::tr("Erased by you");
   }
   return {};
 }

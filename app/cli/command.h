@@ -68,6 +68,7 @@ void addAcquireCommand(CLI::App& app, CommandContext& context);
 void addResumeCommand(CLI::App& app, CommandContext& context);
 void addStepCommand(CLI::App& app, CommandContext& context);
 void addTakeCommand(CLI::App& app, CommandContext& context);
+void addEraseCommand(CLI::App& app, CommandContext& context);
 void addImportCommand(CLI::App& app, CommandContext& context);
 void addBatchCommand(CLI::App& app, CommandContext& context);
 void addOptionsCommand(CLI::App& app, CommandContext& context);

@@ -9,6 +9,7 @@ int main(int argc, char** argv) {
     vantage::addPlanCommand(app, context);
     vantage::addStepCommand(app, context);
     vantage::addTakeCommand(app, context);
+    vantage::addEraseCommand(app, context);
     vantage::addExportCommand(app, context);
     vantage::addMeasureCommand(app, context);
     vantage::addInfoCommand(app, context);

@@ -49,4 +49,20 @@ SurfacePlane planeOf(const std::string& text) {
   return {normal.normalized(), numbers[3] / normal.norm()};
 }
 
+CLI::Validator boxText() {
+  return {[](std::string& text) {
+            const auto n = numbersOf(text);
+            const bool isBox = n && n->size() == 6 && (*n)[0] != (*n)[3] && (*n)[1] != (*n)[4] && (*n)[2] != (*n)[5];
+            return isBox ? std::string() : "'" + text + "' is no box X1,Y1,Z1,X2,Y2,Z2 with a volume";
+          },
+          "X1,Y1,Z1,X2,Y2,Z2"};
+}
+
+BoundingBox boxOf(const std::string& text) {
+  const std::vector<double> n = numbersOf(text).value_or(std::vector<double>(6, 0.0));
+  BoundingBox box{{n[0], n[1], n[2]}, {n[0], n[1], n[2]}};
+  box.extend({n[3], n[4], n[5]});
+  return box;
+}
+
 }  // namespace vantage

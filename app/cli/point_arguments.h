@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <string>
 
+#include "geometry/measures.h"
 #include "geometry/vectors.h"
 #include "measuring/surface_plane.h"
 
@@ -17,5 +18,10 @@ namespace vantage {
 [[nodiscard]] CLI::Validator planeText();
 /// The plane of such an argument. @pre planeText accepts it
 [[nodiscard]] SurfacePlane planeOf(const std::string& text);
+
+/// Checks for arguments of the form X1,Y1,Z1,X2,Y2,Z2: two opposite corners of a box along the axes, in any order.
+[[nodiscard]] CLI::Validator boxText();
+/// The box of such an argument. @pre boxText accepts it
+[[nodiscard]] BoundingBox boxOf(const std::string& text);
 
 }  // namespace vantage

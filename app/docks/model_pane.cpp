@@ -12,10 +12,12 @@
 
 namespace vantage {
 ModelPane::ModelPane(const SurfaceMaker& surfaces, const std::shared_ptr<GeometryStore>& store, QWidget* parent)
-    : QWidget(parent), view_(new ModelView(surfaces, nullptr, store)), notice_(new QToolButton) {
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(0);
+    : QWidget(parent),
+      view_(new ModelView(surfaces, nullptr, store)),
+      notice_(new QToolButton),
+      column_(new QVBoxLayout(this)) {
+  column_->setContentsMargins(0, 0, 0, 0);
+  column_->setSpacing(0);
   auto* bar = new FlowLayout(6);
   bar->setContentsMargins(6, 4, 6, 4);
   colouring_ = addChoice(*bar, tr("Colour of the surface"), {tr("Plain"), tr("Confidence"), tr("View"), tr("Age")},
@@ -33,12 +35,13 @@ ModelPane::ModelPane(const SurfaceMaker& surfaces, const std::shared_ptr<Geometr
             &ModelViewOptions::proposedRays);
   addSwitch(*bar, tr("Table"), tr("Turntable with its scale"), &ModelViewOptions::turntable);
   addCamera(*bar);
-  column->addLayout(bar);
+  addErase(*bar);
+  column_->addLayout(bar);
   notice_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
   notice_->setObjectName(QStringLiteral("notice"));
   notice_->hide();
-  column->addWidget(notice_);
-  column->addWidget(view_, 1);
+  column_->addWidget(notice_);
+  column_->addWidget(view_, 1);
   connect(notice_, &QToolButton::clicked, this, &ModelPane::noticeClicked);
 }
 
@@ -111,9 +114,18 @@ void ModelPane::addCamera(QLayout& bar) {
   bar.addWidget(button);
 }
 
-void ModelPane::addBar(QWidget& bar) {
-  auto& column = static_cast<QVBoxLayout&>(*layout());
-  column.insertWidget(column.indexOf(view_), &bar);
+void ModelPane::addErase(QLayout& bar) {
+  auto* button = new QToolButton;
+  button->setText(tr("Erase…"));
+  button->setObjectName(QStringLiteral("erase"));
+  button->setToolTip(tr("Erase what is not the object: putty, a clamp, the table, loose pieces"));
+  button->setAccessibleName(button->toolTip());
+  connect(button, &QToolButton::clicked, this, &ModelPane::eraseWanted);
+  bar.addWidget(button);
+}
+
+void ModelPane::addRow(QWidget& row) {
+  column_->insertWidget(column_->indexOf(view_), &row);
 }
 
 void ModelPane::setNotice(const QString& text) {

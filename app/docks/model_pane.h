@@ -7,6 +7,7 @@
 class QComboBox;
 class QLayout;
 class QToolButton;
+class QVBoxLayout;
 
 namespace vantage {
 
@@ -22,10 +23,11 @@ class ModelPane final : public QWidget {
   void setSnapshot(const SharedSnapshot& snapshot);
   /// A line over the view, for instance that an earlier moment is shown; empty hides it.
   void setNotice(const QString& text);
-  /// Puts what a tool needs above the view.
-  void addBar(QWidget& bar);
+  /// A row of its own between the bar and the view, which becomes the pane's.
+  void addRow(QWidget& row);
 
  signals:
+  void eraseWanted();
   void noticeClicked();
 
  private:
@@ -33,12 +35,14 @@ class ModelPane final : public QWidget {
                        const std::function<void(ModelViewOptions&, int)>& apply);
   void addSwitch(QLayout& bar, const QString& text, const QString& help, bool ModelViewOptions::*value);
   void addCamera(QLayout& bar);
+  void addErase(QLayout& bar);
   void offer(ModelColouring colouring, const QString& text, bool offered);
   void showColouring();
 
   ModelView* view_;
   QComboBox* colouring_ = nullptr;
   QToolButton* notice_;
+  QVBoxLayout* column_;
 };
 
 }  // namespace vantage

@@ -39,7 +39,7 @@ ViewActions::ViewActions(ModelPane& pane)
   measured_->setObjectName(QStringLiteral("measured"));
   for (QWidget* bar : {static_cast<QWidget*>(sectionBar_), measureBar_}) {
     bar->hide();
-    pane.addBar(*bar);
+    pane.addRow(*bar);
   }
   for (QAction* action : {wireframe, points, backFaces, parallel})
     connect(action, &QAction::toggled, this, &ViewActions::apply);

@@ -54,6 +54,7 @@ FinishPage::FinishPage(SessionController& controller, QWidget* parent)
   connect(addExport(tr("Rea&dy to print…"), QStringLiteral("exportPrintable"), {},
                     tr("Closed, in one piece, or you learn why not; also fewer triangles, inches, 3MF."), false),
           &QPushButton::clicked, this, &FinishPage::exportForPrint);
+  addErase();
   addSection(tr("Report"));
   connect(addExport(tr("&Write the report"), QStringLiteral("report"), QStringLiteral("report.html"),
                     tr("One HTML page with pictures, figures, times and what is left."), false),

@@ -86,6 +86,7 @@ ReviewPage::ReviewPage(SessionController& controller, QWidget* parent)
   column().addWidget(views_, 1);
   column().addWidget(toggle_);
   column().addWidget(turnOver_);
+  addErase();
   connect(turnOver_, &QPushButton::clicked, this, [this] { emit wanted(QStringLiteral("turn_over")); });
   connect(toggle_, &QPushButton::clicked, this, &ReviewPage::toggle);
   connect(views_, &QTableWidget::itemSelectionChanged, this, &ReviewPage::choose);

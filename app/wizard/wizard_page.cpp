@@ -23,4 +23,20 @@ void WizardPage::addSection(const QString& text) {
   column_->addWidget(makeLabel(text, "section"));
 }
 
+void WizardPage::addErase() {
+  QPushButton* button = makeButton(tr("E&rase what is not the object…"), QStringLiteral("eraseWanted"),
+                                   tr("Take putty, a clamp, the table or loose pieces out of the model."));
+  column_->addWidget(button);
+  connect(button, &QPushButton::clicked, this, &WizardPage::eraseWanted);
+  const auto refresh = [this, button] {
+    const bool now = controller_.showsNow();
+    vantage::allow(*button, now ? controller_.permissions().whyNotErase()
+                                : tr("An earlier moment is shown: go back to now first."));
+  };
+  connect(&controller_, &SessionController::stateChanged, button, refresh);
+  connect(&controller_, &SessionController::shownChanged, button, refresh);
+  connect(&controller_, &SessionController::activityChanged, button, refresh);
+  refresh();
+}
+
 }  // namespace vantage

@@ -31,12 +31,15 @@ class WizardPage : public QWidget {
   void changed();                   ///< title, texts or completeness
   void finished();                  ///< go on without being asked
   void wanted(const QString& key);  ///< go to that page
+  void eraseWanted();               ///< begin to erase what is not the object
 
  protected:
   [[nodiscard]] SessionController& controller() const { return controller_; }
   [[nodiscard]] QVBoxLayout& column() const { return *column_; }
   /// Adds a heading.
   void addSection(const QString& text);
+  /// Adds a button that begins to erase.
+  void addErase();
 
  private:
   SessionController& controller_;

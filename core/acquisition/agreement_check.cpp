@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "acquisition/erased_regions.h"
 #include "acquisition/hand_placing.h"
 #include "acquisition/prepared_scans.h"
 #include "registration/scan_set.h"
@@ -22,8 +23,9 @@ void checkAgainstOthers(const AcquisitionState& state, KeptScan& scan, const Ste
   std::vector<View> views;
   for (const KeptScan* each : scans) views.push_back(each->view);
   views.back().T_object_scanner = scan.record.registration.T_object_scanner;
-  const auto contradiction = contradictionOfLast(views, preparedViews(scans, progress.part(0.0, 0.5)), isDoubtful,
-                                                 state.model->mesh, options.registration, progress.part(0.5, 1.0));
+  const auto contradiction =
+      contradictionOfLast(views, preparedViews(scans, progress.part(0.0, 0.5)), isDoubtful,
+                          surfaceInStand(state, scan.station().stand), options.registration, progress.part(0.5, 1.0));
   if (!contradiction) return;
   scan.record.registration.verdict = Verdict::Failed;
   scan.record.registration.finding = {VerdictReason::ContradictsOthers, *contradiction, {}};

@@ -4,6 +4,7 @@
 #include <variant>
 
 #include "acquisition/course_commands.h"
+#include "acquisition/erase_commands.h"
 #include "acquisition/scan_commands.h"
 #include "acquisition/stand_commands.h"
 
@@ -27,7 +28,7 @@ struct Joined<std::variant<Kinds...>> {
 /// - `fields(self, field)`: calls field(name, member) for everything that the session file keeps of it;
 /// - `mayDo(state)`: why it cannot be carried out on a state; nothing when it can;
 /// - `carriedOut(state, tools)`: the state it leads to. @pre it may be done. @throws InvalidInput, Cancelled
-using Command = Joined<CourseCommand, ScanCommand, StandCommand>::Type;
+using Command = Joined<CourseCommand, ScanCommand, StandCommand, EraseCommand>::Type;
 
 /// "change_settings", "add_scan", ...: how the session file names a command's kind.
 [[nodiscard]] std::string_view kindOf(const Command& command);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "acquisition/erased_regions.h"
 #include "acquisition/prepared_scans.h"
 #include "acquisition/scan_placing.h"
 #include "acquisition/stand_composites.h"
@@ -152,10 +153,10 @@ Pose turnedBy(double angle, const Pose& T_object_scanner, const Pose& T_object_t
   return T_object_table * Eigen::AngleAxisd(angle, Vec3::UnitZ()) * T_object_table.inverse() * T_object_scanner;
 }
 
-RegistrationTarget targetOf(const AcquisitionState& state) {
+RegistrationTarget targetOf(const AcquisitionState& state, int stand) {
   const std::vector<View> firm = firmViews(state);
   if (!firm.empty() && firm.size() != countScans(state, ScanStatus::In)) return RegistrationTarget(firm);
-  return RegistrationTarget(state.model->mesh, state.model->confidence);
+  return targetInStand(state, stand);
 }
 
 RegistrationResult registerOnTurn(const AcquisitionState& state, const KeptScan& scan, const StepOptions& options,
@@ -169,7 +170,7 @@ RegistrationResult registerOnTurn(const AcquisitionState& state, const KeptScan&
     if (const auto found = foundIn(search, surface, RegistrationTarget(firm), progress.part(0.0, 0.4)))
       return noBetterThanOthers(state, *found, surface, options.registration, progress);
   }
-  const RegistrationTarget whole(state.model->mesh, state.model->confidence);
+  const RegistrationTarget whole = targetInStand(state, scan.station().stand);
   const auto found = foundIn(search, surface, whole, progress.part(0.4, 0.8));
   const RegistrationResult result =
       found ? *found
@@ -193,8 +194,8 @@ bool settleLooseViews(AcquisitionState& state, const StepOptions& options, const
     if (found) views.back().T_object_scanner = found->T_object_scanner;
     const bool isGood = found && found->verdict == Verdict::Good;
     const bool isKnown = found && found->verdict != Verdict::Failed && !isUnknown(*found, scan.view.mesh->spacing);
-    const auto contradiction =
-        contradictionOfLast(views, prepared, !isGood, state.model->mesh, options.registration, progress);
+    const auto contradiction = contradictionOfLast(
+        views, prepared, !isGood, surfaceInStand(state, scan.station().stand), options.registration, progress);
     if (contradiction) {
       scan.status = ScanStatus::Rejected;
       scan.record.registration.verdict = Verdict::Failed;

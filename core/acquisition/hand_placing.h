@@ -27,7 +27,7 @@ namespace vantage {
 
 /// What a scan is registered with: the views whose place is known where that is not all of them, else the model.
 /// @pre there is a model
-[[nodiscard]] RegistrationTarget targetOf(const AcquisitionState& state);
+[[nodiscard]] RegistrationTarget targetOf(const AcquisitionState& state, int stand);
 
 /// A pose of the scanner turned about the axis of the table [rad], counter-clockwise seen from above.
 [[nodiscard]] Pose turnedBy(double angle, const Pose& T_object_scanner, const Pose& T_object_table);

@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "acquisition/erased_regions.h"
 #include "acquisition/hand_placing.h"
 #include "acquisition/prepared_scans.h"
 #include "acquisition/scan_placing.h"
@@ -71,7 +72,8 @@ bool contradictsOthers(const AcquisitionState& state, const KeptScan& scan, cons
   for (const KeptScan* each : scans) views.push_back(each->view);
   views.back().T_object_scanner = place.T_object_scanner;
   const std::vector<PreparedView> prepared = preparedViews(scans, progress.part(0.0, 0.5));
-  return contradictionOfLast(views, prepared, true, state.model->mesh, options.registration, progress.part(0.5, 1.0))
+  return contradictionOfLast(views, prepared, true, surfaceInStand(state, scan.station().stand), options.registration,
+                             progress.part(0.5, 1.0))
       .has_value();
 }
 
@@ -86,7 +88,7 @@ std::vector<RegistrationResult> goodPlaces(const AcquisitionState& state, const 
                                            const std::vector<Pose>& candidates, const StepOptions& options,
                                            const Progress& progress) {
   const PreparedView prepared = preparedViews({&scan}, progress).front();
-  const RegistrationTarget target = targetOf(state);
+  const RegistrationTarget target = targetOf(state, scan.station().stand);
   const auto good = [](const std::optional<FittingPose>& fits) {
     return fits && fits->registration.verdict == Verdict::Good;
   };

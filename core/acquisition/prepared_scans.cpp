@@ -24,12 +24,20 @@ void prepareScans(AcquisitionState& state, KeptScan& added, const Progress& prog
 }
 
 std::vector<PreparedView> preparedViews(const std::vector<const KeptScan*>& scans, const Progress& progress) {
+  std::vector<View> views;
+  views.reserve(scans.size());
+  for (const KeptScan* scan : scans) views.push_back(scan->view);
+  return preparedViews(scans, views, progress);
+}
+
+std::vector<PreparedView> preparedViews(const std::vector<const KeptScan*>& scans, const std::vector<View>& views,
+                                        const Progress& progress) {
   std::vector<std::optional<PreparedView>> slots(scans.size());
   parallelChunks(scans.size(), 1, progress, [&](std::size_t i, std::size_t) {
-    if (isPrepared(*scans[i]))
+    if (isPrepared(*scans[i]) && views[i].mesh == scans[i]->view.mesh)
       slots[i] = scans[i]->prepared;
     else
-      slots[i].emplace(scans[i]->view);
+      slots[i].emplace(views[i]);
   });
   std::vector<PreparedView> prepared;
   prepared.reserve(slots.size());

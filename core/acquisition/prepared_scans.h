@@ -16,5 +16,8 @@ void prepareScans(AcquisitionState& state, KeptScan& added, const Progress& prog
 /// @throws Cancelled
 [[nodiscard]] std::vector<PreparedView> preparedViews(const std::vector<const KeptScan*>& scans,
                                                       const Progress& progress);
+/// The same of views that stand for the scans, one each and in their order; made anew where a view is not the scan's.
+[[nodiscard]] std::vector<PreparedView> preparedViews(const std::vector<const KeptScan*>& scans,
+                                                      const std::vector<View>& views, const Progress& progress);
 
 }  // namespace vantage

@@ -12,7 +12,8 @@ std::string_view name(RefusalReason reason) {
       "nothing_left",         "limit_reached",      "nothing_scanned",  "meshes_made",
       "contradiction",        "not_replayable",     "nothing_to_undo",  "nothing_to_redo",
       "nothing_to_scan_with", "fits_no_other_turn", "nothing_to_align", "not_aligned",
-      "no_such_pose",         "pose_contradicted",  "stands_together",  "other_stand"};
+      "no_such_pose",         "pose_contradicted",  "stands_together",  "other_stand",
+      "stand_not_in_work",    "not_erased"};
   return kNames[static_cast<std::size_t>(reason)];
 }
 

@@ -36,8 +36,10 @@ enum class RefusalReason : std::uint8_t {
   PoseContradicted,   ///< number: the pose, which something speaks against
   StandsTogether,     ///< several stands make the object already
   OtherStand,         ///< number: the scan, whose stand is not the one that is worked on
+  StandNotInWork,     ///< number: the stand, which is not aligned with the one that is worked on
+  NotErased,          ///< number: the erasure, which was not made or was taken back
 };
-inline constexpr RefusalReason kLastRefusalReason = RefusalReason::OtherStand;
+inline constexpr RefusalReason kLastRefusalReason = RefusalReason::NotErased;
 /// A code: "no_profile", "no_such_position", ...
 [[nodiscard]] std::string_view name(RefusalReason reason);
 

@@ -66,6 +66,10 @@ void throwRefusal(const Refusal& refusal) {
       throw InvalidInput("something speaks against pose " + number + ": it can only be used in spite of that");
     case RefusalReason::StandsTogether:
       throw InvalidInput("several stands make the object already: undo what put them together first");
+    case RefusalReason::StandNotInWork:
+      throw InvalidInput("stand " + number + " is not aligned with the one that is worked on");
+    case RefusalReason::NotErased:
+      throw InvalidInput("there is no erasure " + number + " to take back");
     case RefusalReason::OtherStand:
       break;
   }

@@ -6,13 +6,13 @@
 #include <vector>
 
 #include "acquisition/agreement_check.h"
+#include "acquisition/erased_regions.h"
 #include "acquisition/hand_placing.h"
 #include "acquisition/other_turn.h"
 #include "acquisition/prepared_scans.h"
 #include "acquisition/stand_composites.h"
 #include "acquisition/steps.h"
 #include "registration/position_search.h"
-#include "registration/registration_target.h"
 
 namespace vantage {
 namespace {
@@ -43,7 +43,7 @@ RegistrationResult registerWithModel(const AcquisitionState& state, const KeptSc
   if (!state.model) return firstRegistration(view.T_object_scanner);
   if (turnedByGuess(*view.image)) return registerOnTurn(state, scan, options, progress);
   progress.checkpoint(0.0);
-  const RegistrationTarget target(state.model->mesh, state.model->confidence);
+  const RegistrationTarget target = targetInStand(state, scan.station().stand);
   progress.checkpoint(0.0);
   IcpOptions registration = options.registration;
   if (const KeptScan* last = lastWhereSaid(state, scan.station().stand)) {
@@ -67,7 +67,7 @@ std::optional<FittingPose> otherPlace(const AcquisitionState& state, const KeptS
   IcpOptions registration = options.registration;
   registration.prior.reset();
   return poseThatFits(preparedViews({&scan}, progress).front().surface, candidates,
-                      RegistrationTarget(state.model->mesh, state.model->confidence), registration, progress);
+                      targetInStand(state, scan.station().stand), registration, progress);
 }
 
 // Whether a table moved by itself and said where to: a person may have meant another position.

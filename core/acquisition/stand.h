@@ -2,11 +2,19 @@
 
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "acquisition/stand_alignment.h"
+#include "geometry/region_probe.h"
 #include "geometry/vectors.h"
 
 namespace vantage {
+
+/// Where the operator erased something that is not the object.
+struct ErasedRegion {
+  int number = 0;                             ///< of the erasure; one may concern several stands
+  std::shared_ptr<const RegionProbe> region;  ///< in the frame of the table of its stand
+};
 
 /// One way in which the object stands on the table. The object's frame is that of the table in its reference, the first
 /// of the stands whose pose is known.
@@ -17,6 +25,7 @@ struct Stand {
   std::optional<Vec3> down = {};
   std::shared_ptr<const StandAlignment> alignment = nullptr;  ///< the last one; null before it and for the reference
   int reference = 0;                                          ///< the stand whose table's coordinates `down` is in
+  std::vector<ErasedRegion> erased = {};                      ///< in the order in which they were erased
 };
 
 }  // namespace vantage

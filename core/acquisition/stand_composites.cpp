@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "acquisition/erased_regions.h"
 #include "acquisition/scan_placing.h"
 
 namespace vantage {
@@ -96,7 +97,10 @@ std::vector<int> standsToAlign(const AcquisitionState& state) {
 }
 
 Composite compositeForAligner(const AcquisitionState& state, const StepOptions& options) {
-  Composite composite{viewsOf(state), state.model, {}, tiesOf(state, options)};
+  // A holder does not move with the object: of another stand it says nothing.
+  const ErasedSpace erased = erasedSpaceOf(state.stands);
+  Composite composite{{}, state.model, {}, tiesOf(state, options)};
+  for (const View& view : viewsOf(state)) composite.views.push_back(withoutErased(view, erased));
   const int inWork = compositeInWork(state);
   for (int stand = 0; stand <= state.stand(); ++stand) {
     if (compositeOf(state, stand) != inWork) continue;

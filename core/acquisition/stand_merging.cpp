@@ -93,7 +93,7 @@ void placeOthers(AcquisitionState& state, int stand, const StepOptions& options,
     if (!found) continue;
     const double before = state.model ? area(state.model->mesh) : 0.0;
     refineModelViews(state, options, part.part(0.3, 0.5, name(Phase::Register)));
-    state.model = integrateViews(viewsOf(state), options, part.part(0.5, 1.0));
+    state.model = integrateViews(viewsOf(state), state.stands, options, part.part(0.5, 1.0));
     scan.record.newArea = std::max(0.0, area(state.model->mesh) - before);
     scan.record.overlapArea = std::max(0.0, area(scan.view.mesh->mesh) - scan.record.newArea);
   }
@@ -122,7 +122,7 @@ AcquisitionState mergedStand(const AcquisitionState& state, int stand, const Pos
     handOverReference(next, reference, stand);
     expressIn(next, stand);
   }
-  if (!views.empty()) next.model = integrateViews(viewsOf(next), options, progress.part(0.4, 0.7));
+  if (!views.empty()) next.model = integrateViews(viewsOf(next), next.stands, options, progress.part(0.4, 0.7));
   placeOthers(next, stand, options, progress.part(0.7, 1.0));
   return withComposite(next, compositeOf(next, next.stand()));
 }

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "acquisition/erased_regions.h"
 #include "acquisition/hand_placing.h"
 #include "acquisition/loop_closing.h"
 #include "acquisition/other_turn.h"
@@ -86,15 +87,20 @@ bool placeRejected(AcquisitionState& state, const StepOptions& options, const Pr
   return placed;
 }
 
+// What a view shows of the object [mm^2].
+double objectArea(const View& view, const ErasedSpace& erased) {
+  return area(withoutErased(view, erased).mesh->mesh);
+}
+
 // After views found another place: what one of them brought counts from the model before.
 AcquisitionState withNewModel(AcquisitionState state, std::size_t added, const StepOptions& options,
                               const Progress& progress) {
   const double before = area(state.model->mesh);
   refineModelViews(state, options, progress.part(0.0, 0.2));
-  state.model = integrateViews(viewsOf(state), options, progress.part(0.2, 1.0));
+  state.model = integrateViews(viewsOf(state), state.stands, options, progress.part(0.2, 1.0));
   ScanRecord& record = state.scans[added].record;
   record.newArea = std::max(0.0, area(state.model->mesh) - before);
-  record.overlapArea = std::max(0.0, area(state.scans[added].view.mesh->mesh) - record.newArea);
+  record.overlapArea = std::max(0.0, objectArea(state.scans[added].view, erasedSpaceOf(state.stands)) - record.newArea);
   return state;
 }
 
@@ -110,10 +116,11 @@ AcquisitionState withScansPlaced(AcquisitionState state, std::size_t added, cons
 }  // namespace
 
 void refineModelViews(AcquisitionState& state, const StepOptions& options, const Progress& progress) {
-  const std::vector<View> views = viewsOf(state);
-  if (views.size() < 2) return;
+  const std::vector<View> whole = viewsOf(state);
+  if (whole.size() < 2) return;
+  const std::vector<View> views = viewsToIntegrate(whole, erasedSpaceOf(state.stands));
   const std::vector<PreparedView> prepared =
-      preparedViews(scansOf(state, ScanStatus::In), progress.part(0.0, 0.1, "refine"));
+      preparedViews(scansOf(state, ScanStatus::In), views, progress.part(0.0, 0.1, "refine"));
   MultiViewOptions refinement = options.refinement;
   refinement.ties = tiesOf(state, options);
   tieLooseViews(state, refinement.ties);
@@ -152,27 +159,32 @@ AcquisitionState addScan(const AcquisitionState& state, const NumberedScan& scan
                            progress.part(0.9, 1.0));
 
   const Progress integrating = progress.part(0.5, 1.0, name(Phase::Integrate));
-  const std::vector<View> views = viewsOf(next);
+  const ErasedSpace erased = erasedSpaceOf(next.stands);
+  const std::vector<View> views = viewsToIntegrate(viewsOf(next), erased);
   integrating.checkpoint(0.0);
   const Model before = known ? reposed(*known, views) : Model{};
   integrating.checkpoint(0.0);
-  const Integration integration = integrateView(before, views, static_cast<std::uint32_t>(views.size() - 1),
-                                                options.zipper, integrating.part(0.0, 0.6));
-  next.model = std::make_shared<const Model>(
-      applyConsensus(integration.model, views, options.consensus, integrating.part(0.6, 0.9)));
+  Integration integration = integrateView(before, views, static_cast<std::uint32_t>(views.size() - 1), options.zipper,
+                                          integrating.part(0.0, 0.6));
+  integration.model = withoutErased(integration.model, views, erased);
+  next.model = std::make_shared<const Model>(withoutErased(
+      applyConsensus(integration.model, views, options.consensus, integrating.part(0.6, 0.9)), views, erased));
   if (!known && next.model->mesh.triangles.empty()) refuseEmpty(next.scans.back());
   integrating.checkpoint(0.9);
   ScanRecord& record = next.scans.back().record;
   record.newArea = std::max(0.0, area(integration.model.mesh) - area(before.mesh));
-  record.overlapArea = std::max(0.0, area(views.back().mesh->mesh) - record.newArea);
+  record.overlapArea = std::max(0.0, objectArea(views.back(), erased) - record.newArea);
   return withScansPlaced(std::move(next), last, options, integrating.part(0.9, 1.0));
 }
 
-std::shared_ptr<const Model> integrateViews(const std::vector<View>& views, const StepOptions& options,
-                                            const Progress& progress) {
+std::shared_ptr<const Model> integrateViews(const std::vector<View>& whole, const std::vector<Stand>& stands,
+                                            const StepOptions& options, const Progress& progress) {
+  const ErasedSpace erased = erasedSpaceOf(stands);
+  const std::vector<View> views = viewsToIntegrate(whole, erased);
   const Integration integration = zipper(views, options.zipper, progress.part(0.0, 0.7, name(Phase::Integrate)));
-  return std::make_shared<const Model>(
-      applyConsensus(integration.model, views, options.consensus, progress.part(0.7, 1.0, name(Phase::Integrate))));
+  const Model model =
+      applyConsensus(integration.model, views, options.consensus, progress.part(0.7, 1.0, name(Phase::Integrate)));
+  return std::make_shared<const Model>(withoutErased(model, views, erased));
 }
 
 AcquisitionState withStatus(const AcquisitionState& state, std::int64_t scan, ScanStatus status,
@@ -180,7 +192,9 @@ AcquisitionState withStatus(const AcquisitionState& state, std::int64_t scan, Sc
   AcquisitionState next = state;
   for (KeptScan& kept : next.scans)
     if (kept.number == scan) kept.status = status;
-  next.model = integrateViews(viewsOf(next), options, progress);
+  next.model = integrateViews(viewsOf(next), next.stands, options, progress);
+  if (next.model->mesh.triangles.empty())
+    throw InvalidInput("without scan " + std::to_string(scan) + " nothing is left of the model but what was erased");
   return next;
 }
 
@@ -222,6 +236,12 @@ PlanInput planInputOf(const AcquisitionState& state) {
   for (const KeptScan* scan : scansOf(state, ScanStatus::In))
     if (const auto& predicted = scan->record.predicted; predicted && predicted->uncorrected)
       input.ledger.push_back({*predicted->uncorrected, scan->record.newArea});
+  if (const ErasedSpace erased = erasedSpaceOf(state.stands); erased.isIn(state.stand())) {
+    input.erased.space = erased;
+    input.erased.stand = state.stand();
+    input.erased.border = erasedBorderNow(state);
+    input.erased.surface = std::make_shared<const Mesh>(erasedSurface(input.views, state.stand(), erased));
+  }
   // Whoever made the last move makes the next one.
   if (!state.scans.empty()) input.mechanics = state.scans.back().view.image->poseUncertainty;
   return input;

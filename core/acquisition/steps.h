@@ -38,8 +38,9 @@ namespace vantage {
 /// settled. @throws Cancelled
 void refineModelViews(AcquisitionState& state, const StepOptions& options, const Progress& progress);
 
-/// The model of views at their poses, made anew.
-[[nodiscard]] std::shared_ptr<const Model> integrateViews(const std::vector<View>& views, const StepOptions& options,
+/// The model of views at their poses, made anew, without what is erased in their stands.
+[[nodiscard]] std::shared_ptr<const Model> integrateViews(const std::vector<View>& whole,
+                                                          const std::vector<Stand>& stands, const StepOptions& options,
                                                           const Progress& progress);
 
 /// What a plan for the stand of now is made from, and what explains it.

@@ -4,6 +4,7 @@
 
 #include "base/content_hash.h"
 #include "geometry/mesh.h"
+#include "geometry/region.h"
 
 namespace vantage {
 
@@ -12,6 +13,9 @@ void addPoint(ContentHash& hash, const Vec3& point);
 
 /// The first three rows of the matrix, one number after the other.
 void addPose(ContentHash& hash, const Pose& pose);
+
+/// Everything that a region is, with its kind.
+void addRegion(ContentHash& hash, const Region& region);
 
 /// Of positions and triangles.
 [[nodiscard]] std::uint64_t contentHash(const Mesh& mesh);

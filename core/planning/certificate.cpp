@@ -34,7 +34,7 @@ PatchOutlook outlookOf(const PlanningScene& scene, std::size_t patch, std::span<
   PatchOutlook outlook;
   outlook.looks = static_cast<std::uint8_t>(std::min(looks, 255));
   outlook.answered = scene.history().answered(patch);
-  if (outlook.answered) outlook.reason = EdgeReason::Answered;
+  if (outlook.answered) outlook.reason = scene.erased(patch) ? EdgeReason::Erased : EdgeReason::Answered;
   if (outlook.answered || positions.empty()) return outlook;
   Visibility best = Visibility::OutOfReach;
   for (const Pose& pose : positions) {

@@ -18,11 +18,14 @@ bool ranAlong(const VoidPatch& patch, std::size_t view) {
 }  // namespace
 
 PatchHistory::PatchHistory(std::span<const VoidPatch> patches, std::span<const View> views, const SightTest& sight,
-                           const PatchHistoryOptions& options, const Progress& progress)
+                           const PatchHistoryOptions& options, const Progress& progress,
+                           std::span<const std::uint8_t> dismissed)
     : mostLooks_(std::max(1, options.mostLooks)),
       cosineGain_(options.cosineGain),
       looks_(patches.size(), 0),
-      bestCosine_(patches.size(), 0.0) {
+      bestCosine_(patches.size(), 0.0),
+      dismissed_(dismissed.begin(), dismissed.end()) {
+  dismissed_.resize(patches.size(), 0);
   const double minCosine = std::cos(std::max(0.0, sight.options().breakdownAngle - options.clearOfBreakdown));
   parallelChunks(patches.size(), kGrain, progress, [&](std::size_t begin, std::size_t end) {
     for (std::size_t p = begin; p < end; ++p) {

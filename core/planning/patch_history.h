@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -29,10 +30,12 @@ struct PatchHistoryOptions {
 class PatchHistory {
  public:
   /// @param views in the frame of the patches and of what blocks the sight.
+  /// @param dismissed 1 for patches that attract no view whatever was seen of them; none: all may
   PatchHistory(std::span<const VoidPatch> patches, std::span<const View> views, const SightTest& sight,
-               const PatchHistoryOptions& options, const Progress& progress);
+               const PatchHistoryOptions& options, const Progress& progress,
+               std::span<const std::uint8_t> dismissed = {});
 
-  [[nodiscard]] bool answered(std::size_t patch) const { return looks_[patch] >= mostLooks_; }
+  [[nodiscard]] bool answered(std::size_t patch) const { return dismissed_[patch] != 0 || looks_[patch] >= mostLooks_; }
   [[nodiscard]] int looks(std::size_t patch) const { return looks_[patch]; }
 
   /// Whether the patch attracts a view that sees it at that cosine between its normal and the ray.
@@ -45,6 +48,7 @@ class PatchHistory {
   double cosineGain_;
   std::vector<int> looks_;          // per patch: views that looked
   std::vector<double> bestCosine_;  // per patch: the most squarely that any view has seen it
+  std::vector<std::uint8_t> dismissed_;
 };
 
 }  // namespace vantage

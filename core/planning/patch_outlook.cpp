@@ -16,6 +16,8 @@ std::string_view name(EdgeReason reason) {
       return "below_threshold";
     case EdgeReason::Answered:
       return "answered";
+    case EdgeReason::Erased:
+      return "erased";
   }
   return "";
 }

@@ -7,6 +7,7 @@
 
 #include "base/errors.h"
 #include "base/parallel.h"
+#include "geometry/measures.h"
 #include "geometry/mesh_union.h"
 #include "planning/planning_surface.h"
 #include "planning/void_extent.h"
@@ -70,6 +71,50 @@ Mesh surfaceOf(const PlanInput& input, const PlannerOptions& options, const std:
   return T_table_object ? transformed(mesh, *T_table_object) : mesh;
 }
 
+// Of every patch whether what lies beyond it was erased; nothing where none is.
+std::vector<std::uint8_t> erasedPatches(const std::vector<VoidPatch>& patches, const ErasedInStand& erased) {
+  std::vector<std::uint8_t> marks;
+  if (erased.border.empty()) return marks;
+  for (const VoidPatch& patch : patches)
+    marks.push_back(erased.border.at(patch.from) != 0 && erased.border.at(patch.to) != 0 ? 1 : 0);
+  return marks;
+}
+
+Mesh erasedSurfaceOf(const PlanInput& input, const std::optional<Pose>& T_table_object) {
+  if (!input.erased.surface) return {};
+  return T_table_object ? transformed(*input.erased.surface, *T_table_object) : *input.erased.surface;
+}
+
+RayCaster obstaclesOf(const Mesh& surface, const Mesh& beside) {
+  return beside.empty() ? RayCaster(surface) : RayCaster(together(std::array<const Mesh*, 2>{&surface, &beside}));
+}
+
+// What was erased goes on for long, as a table does: what lies about the model is what bounds the unseen.
+constexpr double kAboutModel = 10.0;  // [spacings]
+
+Mesh aboutModel(const Mesh& beside, const Mesh& surface, double spacing) {
+  const BoundingBox box = boundingBox(surface);
+  const Vec3 about = Vec3::Constant(kAboutModel * spacing);
+  const Vec3 low = box.min - about;
+  const Vec3 high = box.max + about;
+  Mesh near;
+  near.vertices = beside.vertices;
+  for (const Triangle& t : beside.triangles)
+    if (const Vec3 c = triangleCentre(beside, t); (c.array() >= low.array()).all() && (c.array() <= high.array()).all())
+      near.triangles.push_back(t);
+  removeUnusedVertices(near);
+  return near;
+}
+
+// What is expected where the operator erased something is more of that.
+void dropErased(ClosingSurface& closing, const PlanInput& input) {
+  const ErasedInStand& erased = input.erased;
+  if (erased.space.empty()) return;
+  std::erase_if(closing.faces, [&](const LevelFace& face) {
+    return erased.space.holds(erased.stand, input.T_object_table * face.centre, closing.side);
+  });
+}
+
 // Where the prediction is off by a voxel, its own surface is not to hide it, and what is just steep enough is not to
 // count.
 SightOptions lookingAtExpected(const ScannerProfile& profile, double side) {
@@ -89,13 +134,16 @@ std::vector<double> mostSquarely(const ClosingSurface& closing, const std::vecto
   return seenAt;
 }
 
-std::unique_ptr<const ExpectedSurface> expectedAbout(const Mesh& surface, const RayCaster& obstacles,
+std::unique_ptr<const ExpectedSurface> expectedAbout(const Mesh& model, const Mesh& beside, const RayCaster& obstacles,
                                                      const std::vector<View>& views, const PlanInput& input,
                                                      const PlannerOptions& options, const Progress& progress) {
-  if (!options.forecast || surface.empty()) return nullptr;
+  if (!options.forecast || model.empty()) return nullptr;
   const double spacing = meanSpacing(input.views);
+  const Mesh near = aboutModel(beside, model, spacing);
+  const Mesh surface = near.empty() ? model : together(std::array<const Mesh*, 2>{&model, &near});
   ClosingSurface closing = predictClosingSurface(surface, obstacles, views, *input.profile, spacing, options.closing,
                                                  progress.part(0.0, 0.9));
+  dropErased(closing, input);
   RayCaster itself(closing.mesh);
   RayCaster all(together(std::array<const Mesh*, 2>{&surface, &closing.mesh}));
   const SightTest sight(*input.profile, obstacles, lookingAtExpected(*input.profile, closing.side), &itself);
@@ -118,13 +166,16 @@ PlanningScene::PlanningScene(PlanInput input, std::shared_ptr<const VoidSurface>
       T_table_object_(tableFrame(input_.T_object_table)),
       voids_(std::move(voids)),
       turnedPatches_(moved(voids_->patches, T_table_object_)),
+      erased_(erasedPatches(voids_->patches, input_.erased)),
       surface_(surfaceOf(input_, options_, T_table_object_, progress.part(0.0, 0.6))),
-      obstacles_(surface_),
+      beside_(erasedSurfaceOf(input_, T_table_object_)),
+      obstacles_(obstaclesOf(surface_, beside_)),
       sight_(*input_.profile, obstacles_,
              {input_.profile->breakdownAngle, options_.surfaceOffset * spacing_, options_.sightMargin * spacing_}),
-      history_(patches(), moved(input_.views, T_table_object_), sight_, options_.history, progress.part(0.6, 0.7)),
+      history_(patches(), moved(input_.views, T_table_object_), sight_, options_.history, progress.part(0.6, 0.7),
+               erased_),
       spread_(input_.profile->workspace, mechanics()),
-      expected_(expectedAbout(surface_, obstacles_, moved(input_.views, T_table_object_), input_, options_,
+      expected_(expectedAbout(surface_, beside_, obstacles_, moved(input_.views, T_table_object_), input_, options_,
                               progress.part(0.7, 1.0))) {
   if (expected_)
     sightOfExpected_ = std::make_unique<const SightTest>(

@@ -9,6 +9,7 @@
 #include "forecast/closing_surface.h"
 #include "forecast/forecast_ledger.h"
 #include "geometry/ray_caster.h"
+#include "integration/erasing.h"
 #include "integration/model.h"
 #include "planning/patch_history.h"
 #include "planning/planner_options.h"
@@ -19,6 +20,15 @@
 #include "void_space/void_patch.h"
 
 namespace vantage {
+
+/// What is not the object of what scans see in the stand that is planned for: the operator erased it. It hides as
+/// before, but nothing of it is looked for.
+struct ErasedInStand {
+  ErasedSpace space;                    ///< empty where nothing is erased
+  int stand = 0;                        ///< that is planned for
+  std::vector<std::uint8_t> border;     ///< one per vertex of the model, see erasedBorder; or none
+  std::shared_ptr<const Mesh> surface;  ///< what views saw of it, object coordinates; null for nothing
+};
 
 /// What a plan is made from. Parts are immutable and shared.
 struct PlanInput {
@@ -33,6 +43,7 @@ struct PlanInput {
   /// How well the next move meets its position; nothing for as well as the profile says.
   std::optional<Mechanics> mechanics = {};
   std::vector<ForecastEntry> ledger = {};  ///< what was forecast of the views so far, and what they showed; in order
+  ErasedInStand erased = {};
 };
 
 /// Surface that nobody has seen, as a plan expects it.
@@ -80,11 +91,14 @@ class PlanningScene {
   [[nodiscard]] std::span<const VoidPatch> patches() const {
     return turnedPatches_ ? *turnedPatches_ : voids_->patches;
   }
+  /// Whether what lies beyond a patch was erased: no view looks for it.
+  [[nodiscard]] bool erased(std::size_t patch) const { return !erased_.empty() && erased_[patch] != 0; }
   /// What the views say about the patches.
   [[nodiscard]] const PatchHistory& history() const { return history_; }
 
-  /// The surface that blocks the sight, in the table's frame: the model's, decimated when it is large.
+  /// The model's surface, decimated when it is large, in the table's frame.
   [[nodiscard]] const Mesh& surface() const { return surface_; }
+  /// What blocks the sight: the surface, and what was erased from it.
   [[nodiscard]] const RayCaster& obstacles() const { return obstacles_; }
   /// Looks at points in the table's frame up to the breakdown angle.
   [[nodiscard]] const SightTest& sight() const { return sight_; }
@@ -121,7 +135,9 @@ class PlanningScene {
   std::optional<Pose> T_table_object_;  // nothing when the frames are the same
   std::shared_ptr<const VoidSurface> voids_;
   std::optional<std::vector<VoidPatch>> turnedPatches_;
+  std::vector<std::uint8_t> erased_;  // per patch, or none
   Mesh surface_;
+  Mesh beside_;  // what was erased
   RayCaster obstacles_;
   SightTest sight_;
   PatchHistory history_;

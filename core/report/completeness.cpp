@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "acquisition/erased_regions.h"
 #include "geometry/measures.h"
 #include "geometry/mesh_topology.h"
 
@@ -53,7 +54,7 @@ std::vector<std::uint8_t> outOfSight(const Mesh& mesh, const Plan* plan) {
 
 }  // namespace
 
-Completeness completenessOf(const Mesh& mesh, const Plan* plan) {
+Completeness completenessOf(const Mesh& mesh, const Plan* plan, std::span<const std::uint8_t> erasedBorder) {
   const MeshMeasures measures = measure(mesh);
   Completeness result;
   result.pieces = measures.components;
@@ -64,8 +65,14 @@ Completeness completenessOf(const Mesh& mesh, const Plan* plan) {
   double scannable = 0.0;
   for (const std::vector<std::uint32_t>& loop : openings(mesh, topology)) {
     std::size_t out = 0;
-    for (const std::uint32_t v : loop) out += hidden[v];
-    const double area = spannedArea(mesh, loop);
+    std::size_t erased = 0;
+    for (const std::uint32_t v : loop) {
+      out += hidden[v];
+      erased += v < erasedBorder.size() && erasedBorder[v] != 0 ? 1 : 0;
+    }
+    const double erasedShare = static_cast<double>(erased) / static_cast<double>(loop.size());
+    const double area = spannedArea(mesh, loop) * (1.0 - erasedShare);
+    result.erasedHoles += erasedShare > 0.5 ? 1 : 0;
     missing += area;
     scannable += area * (1.0 - static_cast<double>(out) / static_cast<double>(loop.size()));
     ++result.holes;
@@ -76,6 +83,11 @@ Completeness completenessOf(const Mesh& mesh, const Plan* plan) {
   if (plan != nullptr && plan->forecast && plan->forecast->left) scannable = plan->forecast->left->area;
   result.scannableCovered = measures.area > 0.0 ? measures.area / (measures.area + scannable) : 0.0;
   return result;
+}
+
+Completeness completenessOf(const AcquisitionState& state) {
+  if (!state.model) return completenessOf(Mesh{}, nullptr);
+  return completenessOf(state.model->mesh, state.plan.get(), erasedBorderNow(state));
 }
 
 }  // namespace vantage

@@ -76,7 +76,7 @@ std::string fileName(const std::string& path) {
 std::string completenessRows(const AcquisitionState& state) {
   if (!state.model) return {};
   const Vec3 size = boundingBox(state.model->mesh).size();
-  const Completeness complete = completenessOf(state.model->mesh, state.plan.get());
+  const Completeness complete = completenessOf(state);
   const bool hiddenIsKnown = state.plan && state.plan->voids && state.plan->outcome != PlanOutcome::Found;
   std::string html = htmlRow({"Size", decimalText(size.x(), 1) + " × " + decimalText(size.y(), 1) + " × " +
                                           decimalText(size.z(), 1) + " mm, all lengths in millimetres"});
@@ -84,6 +84,9 @@ std::string completenessRows(const AcquisitionState& state) {
     html += htmlRow({"Covered of what the scanner reaches", decimalText(100.0 * complete.scannableCovered, 1) + " %"});
   html += htmlRow({"Covered of the whole, at most", decimalText(100.0 * complete.wholeCovered, 1) + " %"});
   html += htmlRow({"Openings", std::to_string(complete.holes)});
+  if (complete.erasedHoles > 0)
+    html +=
+        htmlRow({"Openings where the operator erased what is not the object", std::to_string(complete.erasedHoles)});
   html += htmlRow({"Loose pieces", std::to_string(complete.pieces)});
   return html + htmlRow({"Closed", complete.closed ? "yes" : "no"});
 }

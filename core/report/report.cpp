@@ -116,12 +116,14 @@ Json otherScanJson(const KeptScan& scan) {
 }
 
 Json completenessJson(const AcquisitionState& state) {
-  const Completeness c = completenessOf(state.model ? state.model->mesh : Mesh{}, state.plan.get());
-  return {{"scannable_covered", c.scannableCovered},
-          {"whole_covered", c.wholeCovered},
-          {"holes", c.holes},
-          {"pieces", c.pieces},
-          {"closed", c.closed}};
+  const Completeness c = completenessOf(state);
+  Json json{{"scannable_covered", c.scannableCovered},
+            {"whole_covered", c.wholeCovered},
+            {"holes", c.holes},
+            {"pieces", c.pieces},
+            {"closed", c.closed}};
+  if (c.erasedHoles > 0) json["erased_holes"] = c.erasedHoles;
+  return json;
 }
 
 }  // namespace

@@ -76,6 +76,15 @@ Phrase phraseFor(const ChooseStandPose& command) {
 Phrase phraseFor(const TakeReference& command) {
   return words("Object known by stand %1", {asIs(std::to_string(command.stand))});
 }
+Phrase phraseFor(const EraseRegion& command) {
+  if (std::holds_alternative<BelowPlane>(command.region)) return words("Erased below a plane");
+  if (std::holds_alternative<OrientedBox>(command.region)) return words("Erased in a box");
+  if (std::holds_alternative<Prism>(command.region)) return words("Erased in a lasso");
+  return words("Erased pieces");
+}
+Phrase phraseFor(const TakeBackErasure& command) {
+  return words("Erasure %1 taken back", {asIs(std::to_string(command.number))});
+}
 Phrase phraseFor(const ChangeMode& command) {
   return command.mode == Mode::Automatic ? words("Automatic from here") : words("Assisted from here");
 }
@@ -242,6 +251,8 @@ std::string_view sentenceOf(EdgeReason reason, PlanOutcome outcome) {
                                            : "It could be seen, but one view would add less than the threshold.";
     case EdgeReason::Answered:
       return "Views looked at it and found no surface there.";
+    case EdgeReason::Erased:
+      return "What lies beyond it was erased by the operator: it is not the object.";
   }
   return {};
 }

@@ -6,6 +6,7 @@
 #include "acquisition/settings_json.h"
 #include "session/json_fields.h"
 #include "session/reading_json.h"
+#include "session/region_json.h"
 #include "session/stand_json.h"
 #include "session/value_json.h"
 
@@ -30,6 +31,7 @@ class FieldWriter {
   void operator()(const char* key, const std::optional<Vec3>& vector) {
     if (vector) json_[key] = numberList(*vector, 3);
   }
+  void operator()(const char* key, const Region& region) { json_[key] = regionJson(region); }
   void operator()(const char* key, const PickedPairs& picks) {
     if (!picks.empty()) json_[key] = picksJson(picks);
   }
@@ -88,6 +90,7 @@ class FieldReader {
     fields_.numbers(key, vector->data(), 3);
     if (!vector->allFinite()) fields_.fail(key);
   }
+  void operator()(const char* key, Region& region) { region = regionFrom(fields_.object(key)); }
   void operator()(const char* key, PickedPairs& picks) {
     if (fields_.has(key)) picks = picksFrom(fields_.list(key), fields_.what());
   }

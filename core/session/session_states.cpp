@@ -287,12 +287,12 @@ AcquisitionState SessionStates::assembled(const History& history, const HistoryE
   for (const OutlinedModel& aside : outline.aside)
     if (const auto views = viewsAside(state, aside.composite); !views.empty())
       state.aside.push_back({aside.composite, whole ? modelOf(state, aside.composite, history, aside.step)
-                                                    : integrateViews(views, options, progress_)});
+                                                    : integrateViews(views, state.stands, options, progress_)});
   const std::vector<View> views = viewsOf(state);
   if (views.empty()) return state;
   const bool wholeModel = views.size() == countScans(outline, ScanStatus::In);
   state.model = wholeModel ? modelOf(state, compositeInWork(state), history, outline.modelStep)
-                           : integrateViews(views, stepOptionsFor(state), progress_);
+                           : integrateViews(views, state.stands, stepOptionsFor(state), progress_);
   const auto held = plan(outline.planStep);
   if (held && wholeModel) state.plan = held;
   return state;
@@ -307,7 +307,7 @@ std::shared_ptr<const Model> SessionStates::modelOf(const AcquisitionState& stat
     lose({LossKind::ModelOfOtherSamples, step, {}, {}});
   }
   auto made = replayedModel(views, composite, history, step);
-  if (!made) made = integrateViews(views, stepOptionsFor(state), progress_);
+  if (!made) made = integrateViews(views, state.stands, stepOptionsFor(state), progress_);
   models_[step] = made;
   return made;
 }

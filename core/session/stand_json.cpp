@@ -4,12 +4,15 @@
 #include <memory>
 #include <utility>
 
+#include "session/region_json.h"
 #include "session/value_json.h"
 
 namespace vantage {
 namespace {
 
 using Json = nlohmann::json;
+
+constexpr int kMostErasures = 1'000'000;
 
 Vec3 pointFrom(const JsonFields& fields, const char* key) {
   Vec3 point = Vec3::Zero();
@@ -83,6 +86,8 @@ Json standJson(const Stand& stand) {
   if (stand.down) json["down"] = numberList(*stand.down, 3);
   if (stand.reference != 0) json["reference"] = stand.reference;
   if (stand.alignment) json["alignment"] = alignmentJson(*stand.alignment);
+  for (const ErasedRegion& erased : stand.erased)
+    json["erased"].push_back({{"number", erased.number}, {"region", regionJson(erased.region->region())}});
   return json;
 }
 
@@ -94,6 +99,12 @@ Stand standFrom(const Json& json, int index, const std::string& what) {
     stand.reference = static_cast<int>(fields.integer("reference", 0, std::max(index - 1, 0)));
   if (fields.has("alignment"))
     stand.alignment = std::make_shared<const StandAlignment>(alignmentFrom(fields.object("alignment")));
+  if (fields.has("erased"))
+    for (const Json& erased : fields.list("erased")) {
+      const JsonFields one(erased, what);
+      stand.erased.push_back({static_cast<int>(one.integer("number", 0, kMostErasures)),
+                              std::make_shared<const RegionProbe>(regionFrom(one.object("region")))});
+    }
   return stand;
 }
 

@@ -159,6 +159,10 @@ void addStand(ContentHash& hash, const Stand& stand) {
   if (stand.down) addPoint(hash, *stand.down);
   if (stand.reference != 0) hash.add(stand.reference);
   if (stand.alignment) addAlignment(hash, *stand.alignment);
+  for (const ErasedRegion& erased : stand.erased) {
+    hash.add(erased.number);
+    addRegion(hash, erased.region->region());
+  }
 }
 
 void addModel(ContentHash& hash, const Model& model) {

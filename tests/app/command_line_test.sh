@@ -234,6 +234,32 @@ expect 2 "as the session was begun" "$cli" resume "$work/set/session.vantage" --
 expect 4 "2 views" "$cli" resume "$work/set/session.vantage" --set max_views=2
 expect 0 "max_views=2" "$cli" options "$work/set/session.vantage"
 
+# What is not the object: said before it is done, erased, listed, and taken back to the same bytes.
+expect 2 "" "$cli" erase
+expect 2 "is no plane" "$cli" erase "$work/whole/session.vantage" --below 0,0,1
+expect 2 "is no box" "$cli" erase "$work/whole/session.vantage" --box 0,0,0,1,1,0
+expect 2 "at a time" "$cli" erase "$work/whole/session.vantage" --below 0,0,1,5 --loose-pieces 10
+expect 1 "no such file" "$cli" erase "$work/nothing.vantage"
+cp "$work/whole/session.vantage" "$work/erased.vantage"
+expect 0 "nothing is erased" "$cli" erase "$work/erased.vantage"
+expect 0 "would erase" "$cli" erase "$work/erased.vantage" --below 0,0,1,20 --preview
+cmp "$work/whole/session.vantage" "$work/erased.vantage" || { echo "FAIL: a preview changed the session"; failures=$((failures + 1)); }
+expect 1 "nothing of the object would be left" "$cli" erase "$work/erased.vantage" --below 0,0,1,1000
+expect 1 "has not stood in stand 4" "$cli" erase "$work/erased.vantage" --below 0,0,1,20 --stand 4
+expect 0 "--take-back 0" "$cli" erase "$work/erased.vantage" --below 0,0,1,20
+expect 0 "erasure 0: below, in stand 0" "$cli" erase "$work/erased.vantage"
+expect 4 "it holds for later scans" "$cli" erase "$work/erased.vantage" --below 0,0,1,20
+expect 0 '"kind": "box"' "$cli" erase "$work/erased.vantage" --box 25,-60,30,70,60,60 --json
+expect 4 '"code": "nothing_erased"' "$cli" erase "$work/erased.vantage" --loose-pieces 0 --json
+echo '{ "kind": "near", "points": [0, 0, 40], "radius_mm": 60 }' >"$work/region.json"
+expect 0 '"samples"' "$cli" erase "$work/erased.vantage" --region "$work/region.json" --preview --json
+echo '{ "kind": "sphere" }' >"$work/region.json"
+expect 1 "region.json is damaged" "$cli" erase "$work/erased.vantage" --region "$work/region.json"
+expect 0 "erased" "$cli" report "$work/erased.vantage" --out "$work/erased.html"
+expect 0 "Erasure 2 taken back" "$cli" erase "$work/erased.vantage" --take-back 2
+expect 1 "there is no erasure 2" "$cli" erase "$work/erased.vantage" --take-back 2
+expect 0 "triangles" "$cli" export "$work/erased.vantage" --out "$work/erased.stl"
+
 # Assisted steps: range files that the operator brings.
 expect 2 "--position" "$cli" step "$work/whole/session.vantage" --range "$work/nothing.ply"
 expect 1 "nothing.ply" "$cli" step "$work/whole/session.vantage" --range "$work/nothing.ply" --position 3

@@ -52,6 +52,14 @@ TEST(CompletenessCard, WhatNoPositionSeesAsksToTurnTheObjectOver) {
   EXPECT_EQ(valueOf(card, "Closed"), "no");
 }
 
+TEST(CompletenessCard, OpeningsThatTheOperatorMadeAreSaidToBe) {
+  const CompletenessCard card = makeCompletenessCard(endedWith(EdgeReason::Erased), {1.0, 1.0, 2, 1, false, 2});
+  EXPECT_TRUE(card.good);
+  EXPECT_TRUE(card.advice.contains("you erased")) << card.advice.toStdString();
+  const CompletenessCard some = makeCompletenessCard(endedWith(EdgeReason::OutOfReach), {0.9, 0.9, 2, 1, false, 1});
+  EXPECT_TRUE(some.advice.contains("turn it over"));
+}
+
 TEST(CompletenessCard, WhatIsNotWholeIsNeverAHundredPerCent) {
   const CompletenessCard card =
       makeCompletenessCard(endedWith(EdgeReason::OutOfReach), {0.99999, 0.99999, 1, 1, false});

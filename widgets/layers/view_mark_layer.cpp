@@ -41,15 +41,24 @@ ViewMarkLayer::ViewMarkLayer(Scene& scene) : scene_(scene), surface_(makeActor()
 }
 
 void ViewMarkLayer::set(const std::shared_ptr<const ModelGeometry>& geometry, std::optional<std::uint32_t> view) {
-  scene_.change([this, geometry, view] {
-    const Mesh marked = geometry && view ? surfaceOfView(*geometry->model, *view) : Mesh{};
-    setData(*surface_, marked.triangles.empty() ? nullptr : toPolyData(marked, true).Get());
-    surface_->SetVisibility(!marked.triangles.empty());
-  });
+  scene_.change([this, geometry, view] { show(geometry && view ? surfaceOfView(*geometry->model, *view) : Mesh{}); });
+}
+
+void ViewMarkLayer::setPart(const std::shared_ptr<const Mesh>& part) {
+  scene_.change([this, part] { show(part ? *part : Mesh{}); });
+}
+
+void ViewMarkLayer::show(const Mesh& marked) {
+  setData(*surface_, marked.triangles.empty() ? nullptr : toPolyData(marked, true).Get());
+  surface_->SetVisibility(!marked.triangles.empty());
+}
+
+void ViewMarkLayer::setColour(const Rgb& colour) {
+  scene_.change([this, colour] { vantage::setColour(*surface_, colour); });
 }
 
 void ViewMarkLayer::setTheme(const Theme& theme) {
-  scene_.change([this, &theme] { setColour(*surface_, toRgb(theme.examined)); });
+  setColour(toRgb(theme.examined));
 }
 
 }  // namespace vantage

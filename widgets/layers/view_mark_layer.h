@@ -11,16 +11,22 @@
 
 namespace vantage {
 
-/// What one view brought to the model, lit up on its surface.
+/// What one view brought to the model, or another part of it, lit up on its surface.
 class ViewMarkLayer {
  public:
   explicit ViewMarkLayer(Scene& scene);
 
   /// @param view of the model, as it counts them; nothing marks nothing
   void set(const std::shared_ptr<const ModelGeometry>& geometry, std::optional<std::uint32_t> view);
+  /// @param part of the model's surface; null marks nothing
+  void setPart(const std::shared_ptr<const Mesh>& part);
   void setTheme(const Theme& theme);
+  /// From now on, whatever the theme.
+  void setColour(const Rgb& colour);
 
  private:
+  void show(const Mesh& marked);
+
   Scene& scene_;
   vtkSmartPointer<vtkActor> surface_;
 };

@@ -50,7 +50,8 @@ constexpr std::array<Rgb, kPatchStates> kStateColours{{{0xE6, 0x9F, 0x00},    //
                                                        {0xCC, 0x79, 0xA7},    // too steep
                                                        {0x56, 0xB4, 0xE9},    // light blocked
                                                        {0x00, 0x9E, 0x73},    // receiver blocked
-                                                       {0xC8, 0xB8, 0x8A}}};  // too little to gain
+                                                       {0xC8, 0xB8, 0x8A},    // too little to gain
+                                                       {0xD5, 0x5E, 0x00}}};  // erased
 
 std::span<const Rgb> anchors(ColourMap map) {
   if (map == ColourMap::Viridis) return kViridis;
@@ -91,6 +92,7 @@ Rgb edgeClassColour(EdgeClass edgeClass) {
 }
 
 PatchState patchState(const PatchOutlook& outlook, PlanOutcome outcome) {
+  if (outlook.reason == EdgeReason::Erased) return PatchState::Erased;
   if (outlook.answered) return PatchState::Answered;
   if (outcome != PlanOutcome::Found) {
     if (outlook.reason == EdgeReason::OutOfReach) return PatchState::OutOfReach;

@@ -37,9 +37,10 @@ enum class PatchState : std::uint8_t {
   TooSteep,
   LightBlocked,
   ReceiverBlocked,
-  TooLittle
+  TooLittle,
+  Erased
 };
-inline constexpr std::size_t kPatchStates = 8;
+inline constexpr std::size_t kPatchStates = 9;
 
 /// The state of a patch. Reasons count once the plan proposes no view any more.
 [[nodiscard]] PatchState patchState(const PatchOutlook& outlook, PlanOutcome outcome);

@@ -50,6 +50,8 @@ const char* stateText(PatchState state) {
       return QT_TRANSLATE_NOOP("ModelView", "light blocked");
     case PatchState::ReceiverBlocked:
       return QT_TRANSLATE_NOOP("ModelView", "receiver blocked");
+    case PatchState::Erased:
+      return QT_TRANSLATE_NOOP("ModelView", "erased: not the object");
     case PatchState::TooLittle:
       break;
   }
@@ -137,12 +139,14 @@ ModelScene::ModelScene()
       setUp_(scene_),
       model_(scene_),
       viewMark_(scene_),
+      erasure_(scene_),
       voids_(scene_),
       currentRays_(scene_),
       proposedRays_(scene_),
       measure_(scene_),
       theme_(&lightTheme()) {
   setTheme(lightTheme());
+  erasure_.setColour(patchStateColour(PatchState::Erased));
 }
 
 void ModelScene::set(SharedSnapshot snapshot, std::shared_ptr<const ModelGeometry> geometry) {
@@ -151,6 +155,7 @@ void ModelScene::set(SharedSnapshot snapshot, std::shared_ptr<const ModelGeometr
   turntable_.set(snapshot_ ? snapshot_->profile() : nullptr);
   markedView_.reset();
   viewMark_.set(geometry_, {});
+  markErasure(nullptr);
   const bool before = isBefore();
   setUp_.set(before ? snapshot_->profile() : nullptr, before ? snapshot_->expected : nullptr);
   update();
@@ -182,6 +187,11 @@ void ModelScene::examine(std::optional<int> position) {
 void ModelScene::markView(std::optional<std::uint32_t> view) {
   markedView_ = view;
   viewMark_.set(geometry_, view);
+}
+
+void ModelScene::markErasure(const std::shared_ptr<const Mesh>& part) {
+  marksErasure_ = part && !part->empty();
+  erasure_.setPart(part);
 }
 
 void ModelScene::highlight(const std::vector<std::uint32_t>& patches) {
@@ -313,6 +323,8 @@ Overlay ModelScene::overlay() const {
     marks.entries.push_back({theme_->boundary, Text::tr("border of the model")});
   if (markedView_ && *markedView_ < views.size())
     marks.entries.push_back({theme_->examined, Text::tr("what the chosen scan brought")});
+  if (marksErasure_)
+    marks.entries.push_back({toColour(patchStateColour(PatchState::Erased)), Text::tr("what would be erased")});
   if (options_.turntable && snapshot_->current())
     marks.entries.push_back(
         {theme_->current, Text::tr("where the scanner stands, position %1").arg(*snapshot_->current())});

@@ -42,6 +42,8 @@ class ModelScene {
 
   /// Shows places that are measured between: none, one or two.
   void setMeasured(const std::vector<Vec3>& places);
+  /// Marks a part of the model that is about to be erased; null marks nothing. The next snapshot marks nothing.
+  void markErasure(const std::shared_ptr<const Mesh>& part);
 
   [[nodiscard]] const SharedSnapshot& snapshot() const { return snapshot_; }
   [[nodiscard]] const ModelGeometry* geometry() const { return geometry_.get(); }
@@ -75,6 +77,7 @@ class ModelScene {
   SetUpLayer setUp_;
   ModelLayer model_;
   ViewMarkLayer viewMark_;
+  ViewMarkLayer erasure_;
   VoidPatchLayer voids_;
   RangingRaysLayer currentRays_;
   RangingRaysLayer proposedRays_;
@@ -85,6 +88,7 @@ class ModelScene {
   ModelViewOptions options_;
   std::optional<int> examined_;
   std::optional<std::uint32_t> markedView_;
+  bool marksErasure_ = false;
   const Theme* theme_;
 };
 

@@ -79,6 +79,11 @@ void ModelView::highlight(const std::vector<std::uint32_t>& patches) {
   redraw();
 }
 
+void ModelView::markErasure(const std::shared_ptr<const Mesh>& part) {
+  scene_->markErasure(part);
+  refresh();
+}
+
 void ModelView::setTheme(const Theme& theme) {
   scene_->setTheme(theme);
   SceneView::setTheme(theme);

@@ -38,6 +38,8 @@ class ModelView final : public SceneView {
   /// Lights up what a view of the model brought, until another moment is shown; nothing lights up nothing.
   void markView(std::optional<std::uint32_t> view);
   void highlight(const std::vector<std::uint32_t>& patches);
+  /// Marks a part of the model that is about to be erased, until another moment is shown; null marks nothing.
+  void markErasure(const std::shared_ptr<const Mesh>& part);
   void setTheme(const Theme& theme) override;
   /// Projects in parallel, and says so in the view.
   void showParallel(bool parallel);

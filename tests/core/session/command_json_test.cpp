@@ -42,7 +42,9 @@ std::vector<Command> someCommands() {
           AlignStand{2},
           ChooseStandPose{1, 2, true},
           TakeReference{1},
-          ChangeMode{Mode::Assisted}};
+          ChangeMode{Mode::Assisted},
+          EraseRegion{1, NearPoints{{Vec3(1.0 / 3.0, 2, 3), Vec3(4, 5, 6)}, 0.1}, true},
+          TakeBackErasure{3}};
 }
 
 TEST(CommandJson, EveryKindOfCommandComesBackToTheLastBit) {

@@ -28,6 +28,20 @@ TEST(StandJson, ComesBackToTheLastBit) {
   EXPECT_EQ(read.down, Vec3(0.0, 0.6, 0.8));
 }
 
+TEST(StandJson, WhatIsErasedComesBackToTheLastBit) {
+  Stand stand = alignedStand();
+  const Region region = BelowPlane{Vec3(0, 0, 1.0 / 3.0), Vec3::UnitZ()};
+  stand.erased.push_back({4, std::make_shared<const RegionProbe>(region)});
+  const Stand read = standFrom(standJson(stand), 2, "step 1");
+  ASSERT_EQ(read.erased.size(), 1U);
+  EXPECT_EQ(read.erased[0].number, 4);
+  EXPECT_TRUE(read.erased[0].region->region() == region);
+  auto json = standJson(stand);
+  json["erased"][0]["region"]["normal"] = {0, 0, 0};
+  EXPECT_THROW(static_cast<void>(standFrom(json, 2, "step 1")), InvalidInput);
+  EXPECT_FALSE(standJson(alignedStand()).contains("erased"));
+}
+
 TEST(StandJson, TheStandThatASideWasToldInComesBack) {
   Stand stand = alignedStand();
   stand.reference = 1;
