@@ -94,6 +94,14 @@
         <source>no</source>
         <translation>nein</translation>
     </message>
+    <message>
+        <source>What is open is where you erased what is not the object: turn the object over to see what was hidden there, or close the openings when the model is used.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of them where you erased something</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>CompositeScene</name>
@@ -147,6 +155,57 @@
     <message>
         <source>Ready; where it stands is known after its first move.</source>
         <translation>Bereit; wo er steht, ist nach seiner ersten Bewegung bekannt.</translation>
+    </message>
+</context>
+<context>
+    <name>DroppedFiles</name>
+    <message>
+        <source>%1 is a list of poses: it is chosen where scans are imported.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is a profile or a file of settings: it is chosen on the first page.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The folder %1 holds %2 sessions: drop the one that you mean.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The folder %1 holds no session and no scans.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is a session</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is a mesh</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is a scan</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing that was dropped is a file of this computer.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, %2: drop one kind at a time.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 and %2 are sessions: one is opened at a time.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 and %2 are meshes: one is taken at a time.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A session or its folder, scans, or one mesh can be dropped here.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -555,6 +614,14 @@
     <message>
         <source>where it is next, position %1</source>
         <translation>wo er als Nächstes steht, Position %1</translation>
+    </message>
+    <message>
+        <source>erased: not the object</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>what would be erased</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -1221,6 +1288,34 @@
         <source>no pose fits</source>
         <translation>keine Pose passt</translation>
     </message>
+    <message>
+        <source>Erased below a plane</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Erased in a box</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Erased in a lasso</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Erased pieces</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Erasure %1 taken back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it fits only scans whose own place is doubtful</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>too little holds it to the scans that hold each other</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>PositionalSpace</name>
@@ -1548,6 +1643,14 @@
         <source>Scan %1 is of a stand that is not the one that is worked on.</source>
         <translation>Scan %1 gehört zu einer Aufstellung, an der gerade nicht gearbeitet wird.</translation>
     </message>
+    <message>
+        <source>Stand %1 is not aligned with the one that is worked on.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no erasure %1 to take back.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ReportPictures</name>
@@ -1593,6 +1696,41 @@
     <message>
         <source>nothing</source>
         <translation>nichts</translation>
+    </message>
+</context>
+<context>
+    <name>SessionDigest</name>
+    <message>
+        <source>no scan yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>1 scan</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 scans</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not ended, %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>finished, %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ended by you, %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>imported, %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ended before all was seen, %1</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -2755,6 +2893,57 @@ passte nicht</translation>
     </message>
 </context>
 <context>
+    <name>ToolNotes</name>
+    <message>
+        <source>%1 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 (along x %2, y %3, z %4)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The plane cuts nothing.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The outline is open, %1 long.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The outline is closed, %1 long, and encloses %2 mm².</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Clipped: shown is what has %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As a wireframe</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Back faces are red</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In parallel projection</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>1 to 2: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Place %1: click the surface, or Enter takes the middle of the view</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>WhyCard</name>
     <message>
         <source>Your choice: the next scan is taken from here. </source>
@@ -3018,6 +3207,10 @@ passte nicht</translation>
     <message>
         <source>rim of the scan</source>
         <translation>Rand des Scans</translation>
+    </message>
+    <message>
+        <source>Erased by you</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -3635,6 +3828,14 @@ passte nicht</translation>
         <source>&amp;Next: check the set-up</source>
         <translation>&amp;Weiter: Aufbau prüfen</translation>
     </message>
+    <message>
+        <source>The session that is open keeps the object that it was begun with.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Only the simulated scanner looks at a mesh, and another scanner is chosen.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>vantage::CompletenessBox</name>
@@ -3947,6 +4148,120 @@ passte nicht</translation>
     <message>
         <source>Put the text into the clipboard.</source>
         <translation>Den Text in die Zwischenablage legen.</translation>
+    </message>
+</context>
+<context>
+    <name>vantage::EraseBar</name>
+    <message>
+        <source>How far above the table</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation type="unfinished"> mm</translation>
+    </message>
+    <message>
+        <source>How large a piece may be</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> mm²</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Only the near side</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lasso</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Draw around it, in any shape</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Box</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Draw a rectangle around it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Below a plane</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All that lies lower than a height above the table</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Loose pieces</source>
+        <translation type="unfinished">Lose Stücke</translation>
+    </message>
+    <message>
+        <source>Pieces that hang together with nothing else; the largest one stays</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What lies behind it, after a gap, stays</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Erase</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Erase what is marked; Undo takes it back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Done (Esc)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Erase nothing more</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Draw around what is not the object with the left button held. By keys: arrows, space for a corner, Enter.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Draw a rectangle around what is not the object with the left button held. By keys: arrows, space, arrows, Enter.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Looking for it…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The model has no loose piece of that size.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing of the model lies there.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The marked piece would go, %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The %1 marked pieces would go, %2 together.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing is marked that could be erased.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>vantage::EraseDesk</name>
+    <message>
+        <source>An earlier moment is shown: go back to now first.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -4656,6 +4971,42 @@ Eine Scan-Arbeitsstation, die entscheidet, von wo als Nächstes gescannt wird, n
 
 Apache-Lizenz 2.0. Erstellt mit Qt, VTK, Embree, Eigen, OpenMesh, assimp und SQLite.</translation>
     </message>
+    <message>
+        <source>&amp;Erase from the model…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+E</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ne&amp;w session</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recentl&amp;y opened</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>E&amp;xport the model…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ctrl+E</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Write t&amp;he report</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ctrl+R</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How the model is &amp;drawn</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>vantage::ManualBrowser</name>
@@ -4762,6 +5113,14 @@ Apache-Lizenz 2.0. Erstellt mit Qt, VTK, Embree, Eigen, OpenMesh, assimp und SQL
         <source>Oblique</source>
         <translation>Schräg</translation>
     </message>
+    <message>
+        <source>Erase…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Erase what is not the object: putty, a clamp, the table, loose pieces</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>vantage::ModelView</name>
@@ -4772,6 +5131,10 @@ Apache-Lizenz 2.0. Erstellt mit Qt, VTK, Embree, Eigen, OpenMesh, assimp und SQL
     <message>
         <source>The model cannot be shown: %1</source>
         <translation>Das Modell kann nicht gezeigt werden: %1</translation>
+    </message>
+    <message>
+        <source>The cut cannot be computed: %1</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -5175,6 +5538,83 @@ Apache-Lizenz 2.0. Erstellt mit Qt, VTK, Embree, Eigen, OpenMesh, assimp und SQL
     </message>
 </context>
 <context>
+    <name>vantage::RecentList</name>
+    <message>
+        <source>Go on with a session</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sessions of lately</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Take off this list</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No session was opened yet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open a session</source>
+        <translation type="unfinished">Sitzung öffnen</translation>
+    </message>
+    <message>
+        <source>%1 is gone.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no file %1 any more. It may have been moved, or its drive is not connected.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Take off the list</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>vantage::RecentSessions</name>
+    <message>
+        <source>gone: no such file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>open now</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cannot be read</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not read yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1
+%2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>changed %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>vantage::RegionDrawing</name>
+    <message>
+        <source>Draw around what is to be erased</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>vantage::ResultWriter</name>
+    <message>
+        <source>Writing %1</source>
+        <translation type="unfinished">%1 wird geschrieben</translation>
+    </message>
+</context>
+<context>
     <name>vantage::ReviewPage</name>
     <message>
         <source>did not fit</source>
@@ -5396,6 +5836,49 @@ Apache-Lizenz 2.0. Erstellt mit Qt, VTK, Embree, Eigen, OpenMesh, assimp und SQL
     </message>
 </context>
 <context>
+    <name>vantage::SectionBar</name>
+    <message>
+        <source>Other side</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cut across %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Axis of the cut</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The axis that the plane of the cut stands across.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Place of the cut</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where the cut is; the arrow keys move it, too.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation type="unfinished"> mm</translation>
+    </message>
+    <message>
+        <source>Place of the cut in millimetres</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where on the axis the cut is.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take away what is below the cut, not what is above.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>vantage::SessionController</name>
     <message>
         <source>Preparing the set-up</source>
@@ -5429,10 +5912,6 @@ Apache-Lizenz 2.0. Erstellt mit Qt, VTK, Embree, Eigen, OpenMesh, assimp und SQL
         <source>Showing an earlier moment</source>
         <translation>Früherer Zeitpunkt wird gezeigt</translation>
     </message>
-    <message>
-        <source>Writing %1</source>
-        <translation>%1 wird geschrieben</translation>
-    </message>
 </context>
 <context>
     <name>vantage::SessionDoor</name>
@@ -5459,6 +5938,34 @@ Apache-Lizenz 2.0. Erstellt mit Qt, VTK, Embree, Eigen, OpenMesh, assimp und SQL
     <message>
         <source>&amp;Open to look at</source>
         <translation>Zum &amp;Ansehen öffnen</translation>
+    </message>
+    <message>
+        <source>Not taken</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is a mesh. A mesh can be dropped on the first page, as what the simulated scanner looks at.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is a mesh. %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A mesh</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is a mesh.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The simulated scanner can look at it. Its file is only read.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Scan it in simulation</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -5818,6 +6325,13 @@ Apache-Lizenz 2.0. Erstellt mit Qt, VTK, Embree, Eigen, OpenMesh, assimp und SQL
     </message>
 </context>
 <context>
+    <name>vantage::ToolBar</name>
+    <message>
+        <source>Tools</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>vantage::TurnDial</name>
     <message>
         <source>Turn the table by %1</source>
@@ -5974,6 +6488,105 @@ Apache-Lizenz 2.0. Erstellt mit Qt, VTK, Embree, Eigen, OpenMesh, assimp und SQL
     </message>
 </context>
 <context>
+    <name>vantage::ViewActions</name>
+    <message>
+        <source>Measure anew</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Forgets both places.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Wireframe</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+W</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Only the edges of the triangles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+P</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Only the corners of the triangles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Back faces in red</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+B</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where a surface is seen from its inside</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Parallel p&amp;rojection</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+G</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What is far is as large as what is near</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Cut by a plane</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+X</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Takes away what is on one side of a plane</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Measure between two places</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ctrl+M</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click two places on the surface</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From 1 to 2: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click the first place on the surface.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click the second place on the surface.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing was measured yet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>vantage::VolumeSketch</name>
     <message>
         <source>Object in the viewing volume</source>
@@ -6043,6 +6656,18 @@ Apache-Lizenz 2.0. Erstellt mit Qt, VTK, Embree, Eigen, OpenMesh, assimp und SQL
     <message>
         <source>Scanner and object are not read yet.</source>
         <translation>Scanner und Objekt sind noch nicht gelesen.</translation>
+    </message>
+    <message>
+        <source>E&amp;rase what is not the object…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take putty, a clamp, the table or loose pieces out of the model.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>An earlier moment is shown: go back to now first.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 </TS>
