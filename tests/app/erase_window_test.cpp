@@ -111,7 +111,7 @@ TEST(EraseWindow, ALassoByMouseErasesWhatIsMarkedAndUndoTakesItBack) {
   ASSERT_TRUE(waitFor([&] { return me.controller().idle() && me.verticesOnBall() < there / 4; }));
   ASSERT_EQ(me.controller().now()->stands[0].erased.size(), 1U);
   me.lookAt("erased");
-  QTest::keyClick(&me.window(), Qt::Key_Z, Qt::ControlModifier);
+  me.controller().undo();
   ASSERT_TRUE(waitFor([&] { return me.controller().idle() && me.verticesOnBall() == there; }));
   EXPECT_EQ(stateHash(*me.controller().now()), before);
   EXPECT_TRUE(me.bar().isVisible());
@@ -121,10 +121,10 @@ TEST(EraseWindow, ALassoByMouseErasesWhatIsMarkedAndUndoTakesItBack) {
   EXPECT_FALSE(me.desk().preview());
 }
 
-TEST(EraseWindow, TheKeyboardAloneErases) {
+TEST(EraseWindow, KeysInTheRowErase) {
   const QTemporaryDir folder;
   EraseOperator me(folder.filePath("window"));
-  QTest::keyClick(&me.window(), Qt::Key_E, Qt::ControlModifier);
+  me.click("erase");
   ASSERT_TRUE(me.bar().isVisible());
   me.click("eraseBelow");
   auto* height = me.window().findChild<QDoubleSpinBox*>("eraseHeight");

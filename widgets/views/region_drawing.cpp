@@ -69,10 +69,22 @@ void RegionDrawing::clear() {
 
 bool RegionDrawing::eventFilter(QObject* watched, QEvent* event) {
   if (event->type() == QEvent::Resize) {
+    const QRectF before = rect();
     setGeometry(parentWidget()->rect());
-    if (isVisible()) clear();
+    follow(before, rect());
   }
   return QWidget::eventFilter(watched, event);
+}
+
+// The camera sees as much from top to bottom in a view of any size: what was drawn stays on what it is around.
+void RegionDrawing::follow(const QRectF& before, const QRectF& now) {
+  if (before.height() <= 0.0 || now.height() <= 0.0) return;
+  const double scale = now.height() / before.height();
+  const auto moved = [&](const QPointF& p) { return now.center() + scale * (p - before.center()); };
+  for (QPointF& p : line_) p = moved(p);
+  for (QPointF& p : drawn_) p = moved(p);
+  cross_ = moved(cross_);
+  update();
 }
 
 void RegionDrawing::paintEvent(QPaintEvent*) {

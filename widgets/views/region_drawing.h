@@ -39,6 +39,7 @@ class RegionDrawing final : public QWidget {
   void keyPressEvent(QKeyEvent* event) override;
 
  private:
+  void follow(const QRectF& before, const QRectF& now);
   void close();
   void reach(const QPointF& point);
   void moveCross(const QPointF& by);
