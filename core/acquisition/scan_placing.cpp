@@ -164,6 +164,27 @@ void placeWhereExpected(const AcquisitionState& state, KeptScan& scan, const Ste
     checkAgainstOthers(state, scan, options, progress.part(0.7, 1.0));
 }
 
+// Whether the last that was seen of the table is that it stands elsewhere than it says: a scan fits another turn.
+bool tableInDoubt(const AcquisitionState& state, int stand) {
+  for (auto scan = state.scans.rbegin(); scan != state.scans.rend(); ++scan) {
+    if (scan->station().stand != stand || !movedByItself(*scan->view.image)) continue;
+    if (scan->status == ScanStatus::In) return false;
+    if (!turnsThatFit(state, *scan).empty()) return true;
+  }
+  return false;
+}
+
+// What the table's word alone holds is refused while that is in doubt.
+void refuseInDoubt(const AcquisitionState& state, KeptScan& scan) {
+  RegistrationResult& found = scan.record.registration;
+  const VerdictReason reason = found.finding.reason;
+  const bool onItsWord = found.verdict == Verdict::Doubtful &&
+                         (reason == VerdictReason::HeldByMechanics || reason == VerdictReason::TableAlone);
+  if (!onItsWord || !movedByItself(*scan.view.image) || !tableInDoubt(state, scan.station().stand)) return;
+  found.verdict = Verdict::Failed;
+  found.finding = {VerdictReason::TableInDoubt, std::nullopt, {}};
+}
+
 // What became of the scan follows from its registration. @return whether it found its place
 bool settled(KeptScan& scan) {
   const bool found = scan.record.registration.verdict != Verdict::Failed;
@@ -226,6 +247,7 @@ bool findPlace(const AcquisitionState& state, KeptScan& scan, const StepOptions&
     else
       explainFailure(state, scan, options, explaining);
   }
+  refuseInDoubt(state, scan);
   return settled(scan);
 }
 

@@ -54,11 +54,11 @@ std::string_view name(Verdict verdict) {
 
 std::string_view name(VerdictReason reason) {
   constexpr std::array<std::string_view, static_cast<std::size_t>(kLastVerdictReason) + 1> kNames{
-      "not_registered", "first_view",         "first_imported", "earlier_version", "inliers",     "few_inliers",
-      "few_pairs",      "conflicts",          "residual",       "motion",          "rival",       "held_by_mechanics",
-      "not_settled",    "contradicts_others", "no_pose_given",  "other_position",  "other_turns", "inverse_list",
-      "other_unit",     "other_frame",        "axis_beside",    "table_alone",     "held_by_all", "table_slipped",
-      "other_turn",     "taken_elsewhere",    "on_doubtful",    "held_by_few"};
+      "not_registered", "first_view",         "first_imported", "earlier_version", "inliers",       "few_inliers",
+      "few_pairs",      "conflicts",          "residual",       "motion",          "rival",         "held_by_mechanics",
+      "not_settled",    "contradicts_others", "no_pose_given",  "other_position",  "other_turns",   "inverse_list",
+      "other_unit",     "other_frame",        "axis_beside",    "table_alone",     "held_by_all",   "table_slipped",
+      "other_turn",     "taken_elsewhere",    "on_doubtful",    "held_by_few",     "table_in_doubt"};
   return kNames.at(static_cast<std::size_t>(reason));
 }
 

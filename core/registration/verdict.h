@@ -78,10 +78,11 @@ enum class VerdictReason : std::uint8_t {
   TakenElsewhere,     ///< the operator took it as from that angle of the table, where it fits [deg, ccw from above]
   OnDoubtful,         ///< it fits only together with scans whose own place is doubtful
   HeldByFew,          ///< too few scans hold it to those that hold each other
+  TableInDoubt,       ///< the table alone says where it belongs, and the scan before fits another turn of the table
 };
-inline constexpr VerdictReason kLastVerdictReason = VerdictReason::HeldByFew;
+inline constexpr VerdictReason kLastVerdictReason = VerdictReason::TableInDoubt;
 
-/// "not_registered", "first_view", ..., "held_by_few".
+/// "not_registered", "first_view", ..., "table_in_doubt".
 [[nodiscard]] std::string_view name(VerdictReason reason);
 
 /// The gravest thing that was found about a registration.

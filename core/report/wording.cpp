@@ -175,6 +175,8 @@ Phrase phraseOf(const Finding& finding) {
       return words("it fits only scans whose own place is doubtful");
     case VerdictReason::HeldByFew:
       return words("too little holds it to the scans that hold each other");
+    case VerdictReason::TableInDoubt:
+      return words("the table alone says where it belongs, and the scan before it fits another turn of the table");
   }
   return words("");
 }

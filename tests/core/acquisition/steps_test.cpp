@@ -157,18 +157,25 @@ TEST(AddScan, SaysHowFarATableSlippedAndCallsNothingAboutItGood) {
   }
 }
 
-// A ball with a knob turns about the knob wherever it is; with the table's axis the knob says how far it turned.
-TEST(AddScan, ASlipIsFoundWhereTheSurfaceAloneTurns) {
-  const Mesh knobbed = testing::joined(testing::makeSphere(35.0, 48, {0.0, 0.0, 50.0}),
-                                       testing::makeSphere(22.0, 32, {28.0, 14.0, 62.0}));
-  for (const double angle : {-20.0, 16.0}) {
-    const AcquisitionState state = addTurned(radians(angle), PoseSource::Reported, {}, knobbed);
-    ASSERT_EQ(state.scans[3].status, ScanStatus::In) << angle;
-    EXPECT_EQ(registrationOf(state, 3).verdict, Verdict::Doubtful);
-    EXPECT_EQ(registrationOf(state, 3).finding.reason, VerdictReason::TableSlipped);
-    EXPECT_NEAR(registrationOf(state, 3).finding.value.value_or(0.0), angle, 0.5);
-    EXPECT_LT(turnFromTruth(state), radians(0.5)) << angle;
-  }
+// A ball is where the table says, for it looks the same however far it turned.
+TEST(AddScan, TheWordOfATableThatStoodElsewhereDoesNotHoldAScan) {
+  const Mesh ball = testing::makeSphere(35.0, 48, {0.0, 0.0, 50.0});
+  AcquisitionState state = scanned(ball, {0, 1, 2});
+  const Rig rig = testing::simulation(ball, state.profile, {1, true});
+  const auto next = std::make_shared<RangeImage>(scanFrom(rig, 3, Progress()));
+  AcquisitionState after = addScan(state, {4, next}, std::nullopt, stepOptionsFor(state), {});
+  ASSERT_EQ(after.scans[3].status, ScanStatus::In);
+  ASSERT_EQ(registrationOf(after, 3).finding.reason, VerdictReason::HeldByMechanics);
+
+  KeptScan misplaced = state.scans.back();
+  misplaced.number = 3;
+  misplaced.status = ScanStatus::Rejected;
+  misplaced.record.registration.verdict = Verdict::Failed;
+  misplaced.record.registration.finding = {VerdictReason::OtherTurn, 99.0, {}};
+  state.scans.push_back(std::move(misplaced));
+  after = addScan(state, {4, next}, std::nullopt, stepOptionsFor(state), {});
+  EXPECT_EQ(after.scans[4].status, ScanStatus::Rejected);
+  EXPECT_EQ(registrationOf(after, 4).finding.reason, VerdictReason::TableInDoubt);
 }
 
 }  // namespace

@@ -86,7 +86,7 @@ TEST(Verdict, HasAName) {
   EXPECT_EQ(name(VerdictReason::NotSettled), "not_settled");
   EXPECT_EQ(name(VerdictReason::ContradictsOthers), "contradicts_others");
   EXPECT_EQ(name(VerdictReason::HeldByAll), "held_by_all");
-  EXPECT_EQ(name(kLastVerdictReason), "held_by_few");
+  EXPECT_EQ(name(kLastVerdictReason), "table_in_doubt");
 }
 
 }  // namespace
