@@ -41,11 +41,6 @@
 namespace vantage {
 namespace {
 
-constexpr int kLayoutVersion = 1;
-// Of the docks on the left and on the right at first [px].
-constexpr int kGuideWidth = 340;
-constexpr int kSideWidth = 350;
-constexpr double kMostShare = 0.28;  // of the window's width, each
 // What the model is given at least; docks on the right make room for it [px].
 constexpr int kLeastModelWidth = 240;
 
@@ -86,17 +81,13 @@ MainWindow::MainWindow(const WindowParts& parts, const Preferences& preferences,
   new StopKeys(controller_, this);
   setAcceptDrops(true);
   addDocks();
-  // After the docks: whoever goes by the keyboard comes by the page first.
-  views_->model().setMinimumWidth(kLeastModelWidth);
-  setCentralWidget(&views_->model());
-  firstLayout_ = saveState(kLayoutVersion);
   addMenus();
   addTools();
   connectController();
   statusBar()->addWidget(jobs_, 1);
   statusBar()->setSizeGripEnabled(false);
   applyPreferences(preferences);
-  setLeastSize();
+  layout_->setLeastSize();
   refreshActions();
   refreshTitle();
 }
@@ -134,8 +125,6 @@ void MainWindow::addDocks() {
   auto* log = addDock(tr("Log"), QStringLiteral("logDock"), log_, Qt::BottomDockWidgetArea, tr("Ctrl+7"));
   tabifyDockWidget(line, log);
   line->raise();
-  sides_ = new SideDocks(*this, {objective, space, map, why});
-  docks_ = {objective, space, map, why, line, log};
   setHelpTopic(*objective, QStringLiteral("why#where-to-look-next"));
   setHelpTopic(*space, QStringLiteral("why#positional-space"));
   setHelpTopic(*map, QStringLiteral("why#the-map"));
@@ -143,6 +132,10 @@ void MainWindow::addDocks() {
   setHelpTopic(*line, QStringLiteral("sessions#the-time-line"));
   setHelpTopic(*log, QStringLiteral("sessions#the-log"));
   setHelpTopic(views_->model(), QStringLiteral("window#the-model"));
+  // After the docks: whoever goes by the keyboard comes by the page first.
+  views_->model().setMinimumWidth(kLeastModelWidth);
+  setCentralWidget(&views_->model());
+  layout_ = std::make_unique<WindowLayout>(*this, *guide, QList{objective, space, map, why, line, log});
 }
 
 QAction* MainWindow::addAction(QMenu& menu, const QString& text, const QKeySequence& shortcut,
@@ -241,8 +234,8 @@ void MainWindow::addViewMenu() {
   addAction(view, tr("&Now"), tr("Ctrl+End"), [this] { controller_.showNow(); });
   view.addSeparator();
   addAction(view, tr("To the &page"), tr("Ctrl+1"), [this] { wizard_->takeKeyboard(); });
-  for (QDockWidget* dock : docks_) view.addAction(dock->toggleViewAction());
-  addAction(view, tr("&Usual layout"), {}, [this] { resetLayout(); });
+  for (QDockWidget* dock : layout_->docks()) view.addAction(dock->toggleViewAction());
+  addAction(view, tr("&Usual layout"), {}, [this] { layout_->reset(); });
 }
 
 void MainWindow::addTools() {
@@ -423,59 +416,23 @@ void MainWindow::writeReport(const QString& path) {
 }
 
 void MainWindow::restoreLayout() {
-  const QSettings file;
-  restoreGeometry(file.value(QStringLiteral("window/geometry")).toByteArray());
-  isLaidOut_ = restoreState(file.value(QStringLiteral("window/layout")).toByteArray(), kLayoutVersion);
-  fitsScreen_ = true;
-  fitToScreen(*this);
-}
-
-// What it needs without the docks on the right depends on the font.
-void MainWindow::setLeastSize() {
-  setMinimumWidth(sides_->leastWidth());
-  sides_->arrange();
+  layout_->restore();
 }
 
 void MainWindow::changeEvent(QEvent* event) {
   QMainWindow::changeEvent(event);
   if (event->type() == QEvent::FontChange)
-    QMetaObject::invokeMethod(this, &MainWindow::setLeastSize, Qt::QueuedConnection);
+    QMetaObject::invokeMethod(
+        this, [this] { layout_->setLeastSize(); }, Qt::QueuedConnection);
 }
 
-// As wide as they are meant to be: only a window that is shown can share its width out.
-void MainWindow::layOutDocks() {
-  auto* guide = findChild<QDockWidget*>(QStringLiteral("wizardDock"));
-  const int most = static_cast<int>(kMostShare * width());
-  resizeDocks({guide, docks_[0]}, {std::min(kGuideWidth, most), std::min(kSideWidth, most)}, Qt::Horizontal);
-  resizeDocks({docks_[0], docks_[3]}, {300, 340}, Qt::Vertical);
-  resizeDocks({docks_[4]}, {96}, Qt::Vertical);
-}
-
-// Its frame is known from now on.
 void MainWindow::showEvent(QShowEvent* event) {
   QMainWindow::showEvent(event);
-  if (!std::exchange(isLaidOut_, true)) layOutDocks();
-  QMetaObject::invokeMethod(
-      this,
-      [this] {
-        setLeastSize();
-        if (fitsScreen_ && !isMaximized() && !isFullScreen()) fitToScreen(*this);
-      },
-      Qt::QueuedConnection);
-}
-
-void MainWindow::resetLayout() {
-  sides_->expand();
-  restoreState(firstLayout_, kLayoutVersion);
-  layOutDocks();
-  sides_->arrange();
+  layout_->shown();
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
-  QSettings file;
-  file.setValue(QStringLiteral("window/geometry"), saveGeometry());
-  sides_->expand();
-  file.setValue(QStringLiteral("window/layout"), saveState(kLayoutVersion));
+  layout_->keep();
   if (!controller_.idle()) controller_.stop();
   event->accept();
 }

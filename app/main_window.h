@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QMainWindow>
+#include <memory>
 #include <optional>
 
 #include "docks/why_panel.h"
@@ -8,7 +9,7 @@
 #include "settings/preferences.h"
 #include "window/attention.h"
 #include "window/notices.h"
-#include "window/side_docks.h"
+#include "window/window_layout.h"
 #include "wizard/wizard.h"
 
 namespace vantage {
@@ -75,13 +76,10 @@ class MainWindow final : public QMainWindow {
   void connectController();
   void refreshActions();
   void refreshTitle();
-  void setLeastSize();
-  void layOutDocks();
   void say(const QString& why);
   void startErasing();
   void editSettings();
   void writeReport(const QString& path);
-  void resetLayout();
   void showDiagnostics();
   void showAbout();
 
@@ -102,10 +100,9 @@ class MainWindow final : public QMainWindow {
   HelpDesk* help_;
   Erasing* erasing_;
   Notices notices_;
-  SideDocks* sides_ = nullptr;
   ToolBar* tools_ = nullptr;
   ViewActions* viewTools_ = nullptr;
-  QList<QDockWidget*> docks_;  ///< in the order of their keys
+  std::unique_ptr<WindowLayout> layout_;
   QAction* new_ = nullptr;
   QAction* open_ = nullptr;
   QAction* look_ = nullptr;
@@ -123,9 +120,6 @@ class MainWindow final : public QMainWindow {
   QAction* close_ = nullptr;
   QAction* turnOver_ = nullptr;
   QAction* fit_ = nullptr;
-  QByteArray firstLayout_;
-  bool isLaidOut_ = false;   // by the operator, or for the first time
-  bool fitsScreen_ = false;  ///< it is kept inside of its screen when it is shown
 };
 
 }  // namespace vantage

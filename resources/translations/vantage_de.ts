@@ -96,11 +96,11 @@
     </message>
     <message>
         <source>What is open is where you erased what is not the object: turn the object over to see what was hidden there, or close the openings when the model is used.</source>
-        <translation type="unfinished"></translation>
+        <translation>Offen ist, wo Sie gelöscht haben, was nicht zum Objekt gehört: Wenden Sie das Objekt, um zu sehen, was dort verdeckt war, oder schließen Sie die Öffnungen bei der Verwendung des Modells.</translation>
     </message>
     <message>
         <source>%1 of them where you erased something</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 davon, wo Sie etwas gelöscht haben</translation>
     </message>
 </context>
 <context>
@@ -161,51 +161,51 @@
     <name>DroppedFiles</name>
     <message>
         <source>%1 is a list of poses: it is chosen where scans are imported.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ist eine Liste von Posen: Sie wird beim Importieren von Scans gewählt.</translation>
     </message>
     <message>
         <source>%1 is a profile or a file of settings: it is chosen on the first page.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ist ein Profil oder eine Einstellungsdatei: Sie wird auf der ersten Seite gewählt.</translation>
     </message>
     <message>
         <source>The folder %1 holds %2 sessions: drop the one that you mean.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Ordner %1 enthält %2 Sitzungen: Ziehen Sie die gewünschte auf das Fenster.</translation>
     </message>
     <message>
         <source>The folder %1 holds no session and no scans.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Ordner %1 enthält weder eine Sitzung noch Scans.</translation>
     </message>
     <message>
         <source>%1 is a session</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ist eine Sitzung</translation>
     </message>
     <message>
         <source>%1 is a mesh</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ist ein Netz</translation>
     </message>
     <message>
         <source>%1 is a scan</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ist ein Scan</translation>
     </message>
     <message>
         <source>Nothing that was dropped is a file of this computer.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts davon ist eine Datei dieses Computers.</translation>
     </message>
     <message>
         <source>%1, %2: drop one kind at a time.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, %2: Ziehen Sie jeweils nur eine Art von Dateien auf das Fenster.</translation>
     </message>
     <message>
         <source>%1 and %2 are sessions: one is opened at a time.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 und %2 sind Sitzungen: Es wird jeweils nur eine geöffnet.</translation>
     </message>
     <message>
         <source>%1 and %2 are meshes: one is taken at a time.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 und %2 sind Netze: Es wird jeweils nur eines genommen.</translation>
     </message>
     <message>
         <source>A session or its folder, scans, or one mesh can be dropped here.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Sitzung oder ihr Ordner, Scans oder ein Netz können hierher gezogen werden.</translation>
     </message>
 </context>
 <context>
@@ -617,11 +617,11 @@
     </message>
     <message>
         <source>erased: not the object</source>
-        <translation type="unfinished"></translation>
+        <translation>gelöscht: nicht das Objekt</translation>
     </message>
     <message>
         <source>what would be erased</source>
-        <translation type="unfinished"></translation>
+        <translation>was gelöscht würde</translation>
     </message>
 </context>
 <context>
@@ -1290,31 +1290,35 @@
     </message>
     <message>
         <source>Erased below a plane</source>
-        <translation type="unfinished"></translation>
+        <translation>Unter einer Ebene gelöscht</translation>
     </message>
     <message>
         <source>Erased in a box</source>
-        <translation type="unfinished"></translation>
+        <translation>In einem Quader gelöscht</translation>
     </message>
     <message>
         <source>Erased in a lasso</source>
-        <translation type="unfinished"></translation>
+        <translation>In einem Lasso gelöscht</translation>
     </message>
     <message>
         <source>Erased pieces</source>
-        <translation type="unfinished"></translation>
+        <translation>Stücke gelöscht</translation>
     </message>
     <message>
         <source>Erasure %1 taken back</source>
-        <translation type="unfinished"></translation>
+        <translation>Löschung %1 zurückgenommen</translation>
     </message>
     <message>
         <source>it fits only scans whose own place is doubtful</source>
-        <translation type="unfinished"></translation>
+        <translation>es passt nur zu Scans, deren eigene Lage zweifelhaft ist</translation>
     </message>
     <message>
         <source>too little holds it to the scans that hold each other</source>
-        <translation type="unfinished"></translation>
+        <translation>zu wenig hält es an den Scans, die einander halten</translation>
+    </message>
+    <message>
+        <source>the table alone says where it belongs, and the scan before it fits another turn of the table</source>
+        <translation>der Tisch allein sagt, wohin es gehört, und der Scan davor passt zu einer anderen Drehung des Tisches</translation>
     </message>
 </context>
 <context>
@@ -1645,11 +1649,11 @@
     </message>
     <message>
         <source>Stand %1 is not aligned with the one that is worked on.</source>
-        <translation type="unfinished"></translation>
+        <translation>Aufstellung %1 ist nicht an der ausgerichtet, an der gerade gearbeitet wird.</translation>
     </message>
     <message>
         <source>There is no erasure %1 to take back.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es gibt keine Löschung %1, die zurückgenommen werden könnte.</translation>
     </message>
 </context>
 <context>
@@ -1702,35 +1706,35 @@
     <name>SessionDigest</name>
     <message>
         <source>no scan yet</source>
-        <translation type="unfinished"></translation>
+        <translation>noch kein Scan</translation>
     </message>
     <message>
         <source>1 scan</source>
-        <translation type="unfinished"></translation>
+        <translation>1 Scan</translation>
     </message>
     <message>
         <source>%1 scans</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Scans</translation>
     </message>
     <message>
         <source>not ended, %1</source>
-        <translation type="unfinished"></translation>
+        <translation>nicht beendet, %1</translation>
     </message>
     <message>
         <source>finished, %1</source>
-        <translation type="unfinished"></translation>
+        <translation>abgeschlossen, %1</translation>
     </message>
     <message>
         <source>ended by you, %1</source>
-        <translation type="unfinished"></translation>
+        <translation>von Ihnen beendet, %1</translation>
     </message>
     <message>
         <source>imported, %1</source>
-        <translation type="unfinished"></translation>
+        <translation>importiert, %1</translation>
     </message>
     <message>
         <source>ended before all was seen, %1</source>
-        <translation type="unfinished"></translation>
+        <translation>beendet, bevor alles gesehen war, %1</translation>
     </message>
 </context>
 <context>
@@ -2896,51 +2900,51 @@ passte nicht</translation>
     <name>ToolNotes</name>
     <message>
         <source>%1 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 mm</translation>
     </message>
     <message>
         <source>%1 (along x %2, y %3, z %4)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 (entlang x %2, y %3, z %4)</translation>
     </message>
     <message>
         <source>The plane cuts nothing.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Ebene schneidet nichts.</translation>
     </message>
     <message>
         <source>The outline is open, %1 long.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Umriss ist offen, %1 lang.</translation>
     </message>
     <message>
         <source>The outline is closed, %1 long, and encloses %2 mm².</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Umriss ist geschlossen, %1 lang, und umschließt %2 mm².</translation>
     </message>
     <message>
         <source>Clipped: shown is what has %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Geschnitten: Gezeigt wird, was bei %1 liegt</translation>
     </message>
     <message>
         <source>As a wireframe</source>
-        <translation type="unfinished"></translation>
+        <translation>Als Drahtgitter</translation>
     </message>
     <message>
         <source>As points</source>
-        <translation type="unfinished"></translation>
+        <translation>Als Punkte</translation>
     </message>
     <message>
         <source>Back faces are red</source>
-        <translation type="unfinished"></translation>
+        <translation>Rückseiten sind rot</translation>
     </message>
     <message>
         <source>In parallel projection</source>
-        <translation type="unfinished"></translation>
+        <translation>In Parallelprojektion</translation>
     </message>
     <message>
         <source>1 to 2: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>1 bis 2: %1</translation>
     </message>
     <message>
         <source>Place %1: click the surface, or Enter takes the middle of the view</source>
-        <translation type="unfinished"></translation>
+        <translation>Stelle %1: Klicken Sie auf die Oberfläche, oder nehmen Sie mit der Eingabetaste die Mitte der Ansicht</translation>
     </message>
 </context>
 <context>
@@ -3210,7 +3214,7 @@ passte nicht</translation>
     </message>
     <message>
         <source>Erased by you</source>
-        <translation type="unfinished"></translation>
+        <translation>Von Ihnen gelöscht</translation>
     </message>
 </context>
 <context>
@@ -3830,11 +3834,11 @@ passte nicht</translation>
     </message>
     <message>
         <source>The session that is open keeps the object that it was begun with.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die geöffnete Sitzung behält das Objekt, mit dem sie begonnen wurde.</translation>
     </message>
     <message>
         <source>Only the simulated scanner looks at a mesh, and another scanner is chosen.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nur der simulierte Scanner betrachtet ein Netz, und es ist ein anderer Scanner gewählt.</translation>
     </message>
 </context>
 <context>
@@ -4154,114 +4158,114 @@ passte nicht</translation>
     <name>vantage::EraseBar</name>
     <message>
         <source>How far above the table</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie weit über dem Tisch</translation>
     </message>
     <message>
         <source> mm</source>
-        <translation type="unfinished"> mm</translation>
+        <translation> mm</translation>
     </message>
     <message>
         <source>How large a piece may be</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie groß ein Stück sein darf</translation>
     </message>
     <message>
         <source> mm²</source>
-        <translation type="unfinished"></translation>
+        <translation> mm²</translation>
     </message>
     <message>
         <source>Only the near side</source>
-        <translation type="unfinished"></translation>
+        <translation>Nur die vordere Seite</translation>
     </message>
     <message>
         <source>Lasso</source>
-        <translation type="unfinished"></translation>
+        <translation>Lasso</translation>
     </message>
     <message>
         <source>Draw around it, in any shape</source>
-        <translation type="unfinished"></translation>
+        <translation>In beliebiger Form umfahren</translation>
     </message>
     <message>
         <source>Box</source>
-        <translation type="unfinished"></translation>
+        <translation>Rechteck</translation>
     </message>
     <message>
         <source>Draw a rectangle around it</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Rechteck darum ziehen</translation>
     </message>
     <message>
         <source>Below a plane</source>
-        <translation type="unfinished"></translation>
+        <translation>Unter einer Ebene</translation>
     </message>
     <message>
         <source>All that lies lower than a height above the table</source>
-        <translation type="unfinished"></translation>
+        <translation>Alles, was tiefer liegt als eine Höhe über dem Tisch</translation>
     </message>
     <message>
         <source>Loose pieces</source>
-        <translation type="unfinished">Lose Stücke</translation>
+        <translation>Lose Stücke</translation>
     </message>
     <message>
         <source>Pieces that hang together with nothing else; the largest one stays</source>
-        <translation type="unfinished"></translation>
+        <translation>Stücke, die mit nichts anderem zusammenhängen; das größte bleibt</translation>
     </message>
     <message>
         <source>What lies behind it, after a gap, stays</source>
-        <translation type="unfinished"></translation>
+        <translation>Was mit Abstand dahinter liegt, bleibt</translation>
     </message>
     <message>
         <source>Erase</source>
-        <translation type="unfinished"></translation>
+        <translation>Löschen</translation>
     </message>
     <message>
         <source>Erase what is marked; Undo takes it back</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Markierte löschen; „Rückgängig“ nimmt es zurück</translation>
     </message>
     <message>
         <source>Done (Esc)</source>
-        <translation type="unfinished"></translation>
+        <translation>Fertig (Esc)</translation>
     </message>
     <message>
         <source>Erase nothing more</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts weiter löschen</translation>
     </message>
     <message>
         <source>Draw around what is not the object with the left button held. By keys: arrows, space for a corner, Enter.</source>
-        <translation type="unfinished"></translation>
+        <translation>Umfahren Sie mit gedrückter linker Maustaste, was nicht zum Objekt gehört. Mit Tasten: Pfeile, Leertaste für eine Ecke, Eingabetaste.</translation>
     </message>
     <message>
         <source>Draw a rectangle around what is not the object with the left button held. By keys: arrows, space, arrows, Enter.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ziehen Sie mit gedrückter linker Maustaste ein Rechteck um das, was nicht zum Objekt gehört. Mit Tasten: Pfeile, Leertaste, Pfeile, Eingabetaste.</translation>
     </message>
     <message>
         <source>Looking for it…</source>
-        <translation type="unfinished"></translation>
+        <translation>Wird gesucht…</translation>
     </message>
     <message>
         <source>The model has no loose piece of that size.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Modell hat kein loses Stück dieser Größe.</translation>
     </message>
     <message>
         <source>Nothing of the model lies there.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dort liegt nichts vom Modell.</translation>
     </message>
     <message>
         <source>The marked piece would go, %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das markierte Stück würde gelöscht, %1.</translation>
     </message>
     <message>
         <source>The %1 marked pieces would go, %2 together.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die %1 markierten Stücke würden gelöscht, zusammen %2.</translation>
     </message>
     <message>
         <source>Nothing is marked that could be erased.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es ist nichts markiert, das gelöscht werden könnte.</translation>
     </message>
 </context>
 <context>
     <name>vantage::EraseDesk</name>
     <message>
         <source>An earlier moment is shown: go back to now first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Gezeigt wird ein früherer Zeitpunkt: Gehen Sie zuerst zurück zu jetzt.</translation>
     </message>
 </context>
 <context>
@@ -4973,39 +4977,39 @@ Apache-Lizenz 2.0. Erstellt mit Qt, VTK, Embree, Eigen, OpenMesh, assimp und SQL
     </message>
     <message>
         <source>&amp;Erase from the model…</source>
-        <translation type="unfinished"></translation>
+        <translation>Aus dem Modell &amp;löschen…</translation>
     </message>
     <message>
         <source>Ctrl+Shift+E</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+Shift+E</translation>
     </message>
     <message>
         <source>Ne&amp;w session</source>
-        <translation type="unfinished"></translation>
+        <translation>Ne&amp;ue Sitzung</translation>
     </message>
     <message>
         <source>Recentl&amp;y opened</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Zuletzt geöffnet</translation>
     </message>
     <message>
         <source>E&amp;xport the model…</source>
-        <translation type="unfinished"></translation>
+        <translation>Modell e&amp;xportieren…</translation>
     </message>
     <message>
         <source>Ctrl+E</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+E</translation>
     </message>
     <message>
         <source>Write t&amp;he report</source>
-        <translation type="unfinished"></translation>
+        <translation>Be&amp;richt schreiben</translation>
     </message>
     <message>
         <source>Ctrl+R</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+R</translation>
     </message>
     <message>
         <source>How the model is &amp;drawn</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Darstellung des Modells</translation>
     </message>
 </context>
 <context>
@@ -5115,11 +5119,11 @@ Apache-Lizenz 2.0. Erstellt mit Qt, VTK, Embree, Eigen, OpenMesh, assimp und SQL
     </message>
     <message>
         <source>Erase…</source>
-        <translation type="unfinished"></translation>
+        <translation>Löschen…</translation>
     </message>
     <message>
         <source>Erase what is not the object: putty, a clamp, the table, loose pieces</source>
-        <translation type="unfinished"></translation>
+        <translation>Löschen, was nicht zum Objekt gehört: Knete, eine Klemme, der Tisch, lose Stücke</translation>
     </message>
 </context>
 <context>
@@ -5134,7 +5138,7 @@ Apache-Lizenz 2.0. Erstellt mit Qt, VTK, Embree, Eigen, OpenMesh, assimp und SQL
     </message>
     <message>
         <source>The cut cannot be computed: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Schnitt kann nicht berechnet werden: %1</translation>
     </message>
 </context>
 <context>
@@ -5541,77 +5545,78 @@ Apache-Lizenz 2.0. Erstellt mit Qt, VTK, Embree, Eigen, OpenMesh, assimp und SQL
     <name>vantage::RecentList</name>
     <message>
         <source>Go on with a session</source>
-        <translation type="unfinished"></translation>
+        <translation>Mit einer Sitzung fortfahren</translation>
     </message>
     <message>
         <source>Sessions of lately</source>
-        <translation type="unfinished"></translation>
+        <translation>Zuletzt geöffnete Sitzungen</translation>
     </message>
     <message>
         <source>&amp;Take off this list</source>
-        <translation type="unfinished"></translation>
+        <translation>Von dieser Liste &amp;nehmen</translation>
     </message>
     <message>
         <source>No session was opened yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es wurde noch keine Sitzung geöffnet.</translation>
     </message>
     <message>
         <source>Open a session</source>
-        <translation type="unfinished">Sitzung öffnen</translation>
+        <translation>Sitzung öffnen</translation>
     </message>
     <message>
         <source>%1 is gone.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ist nicht mehr da.</translation>
     </message>
     <message>
         <source>There is no file %1 any more. It may have been moved, or its drive is not connected.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Datei %1 gibt es nicht mehr. Vielleicht wurde sie verschoben, oder ihr Laufwerk ist nicht verbunden.</translation>
     </message>
     <message>
         <source>&amp;Take off the list</source>
-        <translation type="unfinished"></translation>
+        <translation>Von der Liste &amp;nehmen</translation>
     </message>
 </context>
 <context>
     <name>vantage::RecentSessions</name>
     <message>
         <source>gone: no such file</source>
-        <translation type="unfinished"></translation>
+        <translation>nicht mehr da: keine solche Datei</translation>
     </message>
     <message>
         <source>open now</source>
-        <translation type="unfinished"></translation>
+        <translation>jetzt geöffnet</translation>
     </message>
     <message>
         <source>cannot be read</source>
-        <translation type="unfinished"></translation>
+        <translation>kann nicht gelesen werden</translation>
     </message>
     <message>
         <source>not read yet</source>
-        <translation type="unfinished"></translation>
+        <translation>noch nicht gelesen</translation>
     </message>
     <message>
         <source>%1
 %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1
+%2</translation>
     </message>
     <message>
         <source>changed %1</source>
-        <translation type="unfinished"></translation>
+        <translation>geändert %1</translation>
     </message>
 </context>
 <context>
     <name>vantage::RegionDrawing</name>
     <message>
         <source>Draw around what is to be erased</source>
-        <translation type="unfinished"></translation>
+        <translation>Umfahren, was gelöscht werden soll</translation>
     </message>
 </context>
 <context>
     <name>vantage::ResultWriter</name>
     <message>
         <source>Writing %1</source>
-        <translation type="unfinished">%1 wird geschrieben</translation>
+        <translation>%1 wird geschrieben</translation>
     </message>
 </context>
 <context>
@@ -5839,43 +5844,43 @@ Apache-Lizenz 2.0. Erstellt mit Qt, VTK, Embree, Eigen, OpenMesh, assimp und SQL
     <name>vantage::SectionBar</name>
     <message>
         <source>Other side</source>
-        <translation type="unfinished"></translation>
+        <translation>Andere Seite</translation>
     </message>
     <message>
         <source>Cut across %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Schnitt quer zu %1</translation>
     </message>
     <message>
         <source>Axis of the cut</source>
-        <translation type="unfinished"></translation>
+        <translation>Achse des Schnitts</translation>
     </message>
     <message>
         <source>The axis that the plane of the cut stands across.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Achse, zu der die Schnittebene quer steht.</translation>
     </message>
     <message>
         <source>Place of the cut</source>
-        <translation type="unfinished"></translation>
+        <translation>Lage des Schnitts</translation>
     </message>
     <message>
         <source>Where the cut is; the arrow keys move it, too.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wo der Schnitt liegt; auch die Pfeiltasten verschieben ihn.</translation>
     </message>
     <message>
         <source> mm</source>
-        <translation type="unfinished"> mm</translation>
+        <translation> mm</translation>
     </message>
     <message>
         <source>Place of the cut in millimetres</source>
-        <translation type="unfinished"></translation>
+        <translation>Lage des Schnitts in Millimetern</translation>
     </message>
     <message>
         <source>Where on the axis the cut is.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wo auf der Achse der Schnitt liegt.</translation>
     </message>
     <message>
         <source>Take away what is below the cut, not what is above.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wegnehmen, was unter dem Schnitt liegt, nicht was darüber liegt.</translation>
     </message>
 </context>
 <context>
@@ -5941,31 +5946,31 @@ Apache-Lizenz 2.0. Erstellt mit Qt, VTK, Embree, Eigen, OpenMesh, assimp und SQL
     </message>
     <message>
         <source>Not taken</source>
-        <translation type="unfinished"></translation>
+        <translation>Nicht angenommen</translation>
     </message>
     <message>
         <source>%1 is a mesh. A mesh can be dropped on the first page, as what the simulated scanner looks at.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ist ein Netz. Ein Netz kann auf die erste Seite gezogen werden, als das, was der simulierte Scanner betrachtet.</translation>
     </message>
     <message>
         <source>%1 is a mesh. %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ist ein Netz. %2</translation>
     </message>
     <message>
         <source>A mesh</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Netz</translation>
     </message>
     <message>
         <source>%1 is a mesh.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ist ein Netz.</translation>
     </message>
     <message>
         <source>The simulated scanner can look at it. Its file is only read.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der simulierte Scanner kann es betrachten. Seine Datei wird nur gelesen.</translation>
     </message>
     <message>
         <source>&amp;Scan it in simulation</source>
-        <translation type="unfinished"></translation>
+        <translation>In der Simulation &amp;scannen</translation>
     </message>
 </context>
 <context>
@@ -6328,7 +6333,7 @@ Apache-Lizenz 2.0. Erstellt mit Qt, VTK, Embree, Eigen, OpenMesh, assimp und SQL
     <name>vantage::ToolBar</name>
     <message>
         <source>Tools</source>
-        <translation type="unfinished"></translation>
+        <translation>Werkzeuge</translation>
     </message>
 </context>
 <context>
@@ -6491,99 +6496,99 @@ Apache-Lizenz 2.0. Erstellt mit Qt, VTK, Embree, Eigen, OpenMesh, assimp und SQL
     <name>vantage::ViewActions</name>
     <message>
         <source>Measure anew</source>
-        <translation type="unfinished"></translation>
+        <translation>Neu messen</translation>
     </message>
     <message>
         <source>Forgets both places.</source>
-        <translation type="unfinished"></translation>
+        <translation>Vergisst beide Stellen.</translation>
     </message>
     <message>
         <source>&amp;Wireframe</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Drahtgitter</translation>
     </message>
     <message>
         <source>Ctrl+Shift+W</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+Shift+W</translation>
     </message>
     <message>
         <source>Only the edges of the triangles</source>
-        <translation type="unfinished"></translation>
+        <translation>Nur die Kanten der Dreiecke</translation>
     </message>
     <message>
         <source>&amp;Points</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Punkte</translation>
     </message>
     <message>
         <source>Ctrl+Shift+P</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+Shift+P</translation>
     </message>
     <message>
         <source>Only the corners of the triangles</source>
-        <translation type="unfinished"></translation>
+        <translation>Nur die Ecken der Dreiecke</translation>
     </message>
     <message>
         <source>&amp;Back faces in red</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Rückseiten in Rot</translation>
     </message>
     <message>
         <source>Ctrl+Shift+B</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+Shift+B</translation>
     </message>
     <message>
         <source>Where a surface is seen from its inside</source>
-        <translation type="unfinished"></translation>
+        <translation>Wo eine Oberfläche von innen gesehen wird</translation>
     </message>
     <message>
         <source>Parallel p&amp;rojection</source>
-        <translation type="unfinished"></translation>
+        <translation>Para&amp;llelprojektion</translation>
     </message>
     <message>
         <source>Ctrl+Shift+G</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+Shift+G</translation>
     </message>
     <message>
         <source>What is far is as large as what is near</source>
-        <translation type="unfinished"></translation>
+        <translation>Fernes ist so groß wie Nahes</translation>
     </message>
     <message>
         <source>&amp;Cut by a plane</source>
-        <translation type="unfinished"></translation>
+        <translation>Mit einer Ebene &amp;schneiden</translation>
     </message>
     <message>
         <source>Ctrl+Shift+X</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+Shift+X</translation>
     </message>
     <message>
         <source>Takes away what is on one side of a plane</source>
-        <translation type="unfinished"></translation>
+        <translation>Nimmt weg, was auf einer Seite einer Ebene liegt</translation>
     </message>
     <message>
         <source>&amp;Measure between two places</source>
-        <translation type="unfinished"></translation>
+        <translation>Zwischen zwei Stellen &amp;messen</translation>
     </message>
     <message>
         <source>Ctrl+M</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+M</translation>
     </message>
     <message>
         <source>Click two places on the surface</source>
-        <translation type="unfinished"></translation>
+        <translation>Auf zwei Stellen der Oberfläche klicken</translation>
     </message>
     <message>
         <source>From 1 to 2: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Von 1 bis 2: %1</translation>
     </message>
     <message>
         <source>Click the first place on the surface.</source>
-        <translation type="unfinished"></translation>
+        <translation>Klicken Sie auf die erste Stelle der Oberfläche.</translation>
     </message>
     <message>
         <source>Click the second place on the surface.</source>
-        <translation type="unfinished"></translation>
+        <translation>Klicken Sie auf die zweite Stelle der Oberfläche.</translation>
     </message>
     <message>
         <source>Nothing was measured yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es wurde noch nichts gemessen.</translation>
     </message>
 </context>
 <context>
@@ -6659,15 +6664,15 @@ Apache-Lizenz 2.0. Erstellt mit Qt, VTK, Embree, Eigen, OpenMesh, assimp und SQL
     </message>
     <message>
         <source>E&amp;rase what is not the object…</source>
-        <translation type="unfinished"></translation>
+        <translation>Löschen, was nicht zu&amp;m Objekt gehört…</translation>
     </message>
     <message>
         <source>Take putty, a clamp, the table or loose pieces out of the model.</source>
-        <translation type="unfinished"></translation>
+        <translation>Knete, eine Klemme, den Tisch oder lose Stücke aus dem Modell nehmen.</translation>
     </message>
     <message>
         <source>An earlier moment is shown: go back to now first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Gezeigt wird ein früherer Zeitpunkt: Gehen Sie zuerst zurück zu jetzt.</translation>
     </message>
 </context>
 </TS>

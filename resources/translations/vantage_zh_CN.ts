@@ -96,11 +96,11 @@
     </message>
     <message>
         <source>What is open is where you erased what is not the object: turn the object over to see what was hidden there, or close the openings when the model is used.</source>
-        <translation type="unfinished"></translation>
+        <translation>开口位于您擦除非物体部分之处：请翻转物体以查看那里遮住的部分，或在使用模型时封闭开口。</translation>
     </message>
     <message>
         <source>%1 of them where you erased something</source>
-        <translation type="unfinished"></translation>
+        <translation>其中 %1 个位于您擦除之处</translation>
     </message>
 </context>
 <context>
@@ -161,51 +161,51 @@
     <name>DroppedFiles</name>
     <message>
         <source>%1 is a list of poses: it is chosen where scans are imported.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 是位姿列表：请在导入扫描时选择。</translation>
     </message>
     <message>
         <source>%1 is a profile or a file of settings: it is chosen on the first page.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 是配置文件或设置文件：请在第一页选择。</translation>
     </message>
     <message>
         <source>The folder %1 holds %2 sessions: drop the one that you mean.</source>
-        <translation type="unfinished"></translation>
+        <translation>文件夹 %1 中有 %2 个会话：请拖放所要的那一个。</translation>
     </message>
     <message>
         <source>The folder %1 holds no session and no scans.</source>
-        <translation type="unfinished"></translation>
+        <translation>文件夹 %1 中没有会话，也没有扫描。</translation>
     </message>
     <message>
         <source>%1 is a session</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 是会话</translation>
     </message>
     <message>
         <source>%1 is a mesh</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 是网格</translation>
     </message>
     <message>
         <source>%1 is a scan</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 是扫描</translation>
     </message>
     <message>
         <source>Nothing that was dropped is a file of this computer.</source>
-        <translation type="unfinished"></translation>
+        <translation>拖放的内容都不是本机上的文件。</translation>
     </message>
     <message>
         <source>%1, %2: drop one kind at a time.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1，%2：一次请只拖放一种。</translation>
     </message>
     <message>
         <source>%1 and %2 are sessions: one is opened at a time.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 和 %2 都是会话：一次只能打开一个。</translation>
     </message>
     <message>
         <source>%1 and %2 are meshes: one is taken at a time.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 和 %2 都是网格：一次只能采用一个。</translation>
     </message>
     <message>
         <source>A session or its folder, scans, or one mesh can be dropped here.</source>
-        <translation type="unfinished"></translation>
+        <translation>可将会话或其文件夹、扫描或一个网格拖放到此处。</translation>
     </message>
 </context>
 <context>
@@ -617,11 +617,11 @@
     </message>
     <message>
         <source>erased: not the object</source>
-        <translation type="unfinished"></translation>
+        <translation>已擦除：非物体</translation>
     </message>
     <message>
         <source>what would be erased</source>
-        <translation type="unfinished"></translation>
+        <translation>将被擦除的部分</translation>
     </message>
 </context>
 <context>
@@ -1290,31 +1290,35 @@
     </message>
     <message>
         <source>Erased below a plane</source>
-        <translation type="unfinished"></translation>
+        <translation>已擦除平面以下的部分</translation>
     </message>
     <message>
         <source>Erased in a box</source>
-        <translation type="unfinished"></translation>
+        <translation>已擦除矩形内的部分</translation>
     </message>
     <message>
         <source>Erased in a lasso</source>
-        <translation type="unfinished"></translation>
+        <translation>已擦除套索内的部分</translation>
     </message>
     <message>
         <source>Erased pieces</source>
-        <translation type="unfinished"></translation>
+        <translation>已擦除零散部分</translation>
     </message>
     <message>
         <source>Erasure %1 taken back</source>
-        <translation type="unfinished"></translation>
+        <translation>已恢复擦除 %1</translation>
     </message>
     <message>
         <source>it fits only scans whose own place is doubtful</source>
-        <translation type="unfinished"></translation>
+        <translation>仅与自身位置存疑的扫描吻合</translation>
     </message>
     <message>
         <source>too little holds it to the scans that hold each other</source>
-        <translation type="unfinished"></translation>
+        <translation>它与相互固定的扫描之间约束太少</translation>
+    </message>
+    <message>
+        <source>the table alone says where it belongs, and the scan before it fits another turn of the table</source>
+        <translation>仅由转台确定其归属，而前一扫描与转台的其他角度吻合</translation>
     </message>
 </context>
 <context>
@@ -1636,11 +1640,11 @@
     </message>
     <message>
         <source>Stand %1 is not aligned with the one that is worked on.</source>
-        <translation type="unfinished"></translation>
+        <translation>摆放 %1 未与当前处理的摆放对齐。</translation>
     </message>
     <message>
         <source>There is no erasure %1 to take back.</source>
-        <translation type="unfinished"></translation>
+        <translation>没有可恢复的擦除 %1。</translation>
     </message>
 </context>
 <context>
@@ -1693,35 +1697,35 @@
     <name>SessionDigest</name>
     <message>
         <source>no scan yet</source>
-        <translation type="unfinished"></translation>
+        <translation>尚无扫描</translation>
     </message>
     <message>
         <source>1 scan</source>
-        <translation type="unfinished"></translation>
+        <translation>1 个扫描</translation>
     </message>
     <message>
         <source>%1 scans</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 个扫描</translation>
     </message>
     <message>
         <source>not ended, %1</source>
-        <translation type="unfinished"></translation>
+        <translation>未结束，%1</translation>
     </message>
     <message>
         <source>finished, %1</source>
-        <translation type="unfinished"></translation>
+        <translation>已完成，%1</translation>
     </message>
     <message>
         <source>ended by you, %1</source>
-        <translation type="unfinished"></translation>
+        <translation>由您结束，%1</translation>
     </message>
     <message>
         <source>imported, %1</source>
-        <translation type="unfinished"></translation>
+        <translation>已导入，%1</translation>
     </message>
     <message>
         <source>ended before all was seen, %1</source>
-        <translation type="unfinished"></translation>
+        <translation>未看全即结束，%1</translation>
     </message>
 </context>
 <context>
@@ -2887,51 +2891,51 @@ did not fit</source>
     <name>ToolNotes</name>
     <message>
         <source>%1 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 mm</translation>
     </message>
     <message>
         <source>%1 (along x %2, y %3, z %4)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1（沿 x %2，y %3，z %4）</translation>
     </message>
     <message>
         <source>The plane cuts nothing.</source>
-        <translation type="unfinished"></translation>
+        <translation>平面没有切到任何部分。</translation>
     </message>
     <message>
         <source>The outline is open, %1 long.</source>
-        <translation type="unfinished"></translation>
+        <translation>轮廓开放，长 %1。</translation>
     </message>
     <message>
         <source>The outline is closed, %1 long, and encloses %2 mm².</source>
-        <translation type="unfinished"></translation>
+        <translation>轮廓封闭，长 %1，围成 %2 mm²。</translation>
     </message>
     <message>
         <source>Clipped: shown is what has %1</source>
-        <translation type="unfinished"></translation>
+        <translation>已剖切：显示 %1 的部分</translation>
     </message>
     <message>
         <source>As a wireframe</source>
-        <translation type="unfinished"></translation>
+        <translation>以线框显示</translation>
     </message>
     <message>
         <source>As points</source>
-        <translation type="unfinished"></translation>
+        <translation>以点显示</translation>
     </message>
     <message>
         <source>Back faces are red</source>
-        <translation type="unfinished"></translation>
+        <translation>背面为红色</translation>
     </message>
     <message>
         <source>In parallel projection</source>
-        <translation type="unfinished"></translation>
+        <translation>平行投影</translation>
     </message>
     <message>
         <source>1 to 2: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>1 至 2：%1</translation>
     </message>
     <message>
         <source>Place %1: click the surface, or Enter takes the middle of the view</source>
-        <translation type="unfinished"></translation>
+        <translation>第 %1 处：点击表面，或按 Enter 取视图中央</translation>
     </message>
 </context>
 <context>
@@ -3201,7 +3205,7 @@ did not fit</source>
     </message>
     <message>
         <source>Erased by you</source>
-        <translation type="unfinished"></translation>
+        <translation>由您擦除</translation>
     </message>
 </context>
 <context>
@@ -3821,11 +3825,11 @@ did not fit</source>
     </message>
     <message>
         <source>The session that is open keeps the object that it was begun with.</source>
-        <translation type="unfinished"></translation>
+        <translation>打开的会话保持其开始时的物体。</translation>
     </message>
     <message>
         <source>Only the simulated scanner looks at a mesh, and another scanner is chosen.</source>
-        <translation type="unfinished"></translation>
+        <translation>只有模拟扫描仪能看网格，而现在选择的是其他扫描仪。</translation>
     </message>
 </context>
 <context>
@@ -4145,114 +4149,114 @@ did not fit</source>
     <name>vantage::EraseBar</name>
     <message>
         <source>How far above the table</source>
-        <translation type="unfinished"></translation>
+        <translation>高出转台多少</translation>
     </message>
     <message>
         <source> mm</source>
-        <translation type="unfinished"> mm</translation>
+        <translation> mm</translation>
     </message>
     <message>
         <source>How large a piece may be</source>
-        <translation type="unfinished"></translation>
+        <translation>部分最大多大</translation>
     </message>
     <message>
         <source> mm²</source>
-        <translation type="unfinished"></translation>
+        <translation> mm²</translation>
     </message>
     <message>
         <source>Only the near side</source>
-        <translation type="unfinished"></translation>
+        <translation>仅近侧</translation>
     </message>
     <message>
         <source>Lasso</source>
-        <translation type="unfinished"></translation>
+        <translation>套索</translation>
     </message>
     <message>
         <source>Draw around it, in any shape</source>
-        <translation type="unfinished"></translation>
+        <translation>以任意形状圈出</translation>
     </message>
     <message>
         <source>Box</source>
-        <translation type="unfinished"></translation>
+        <translation>矩形</translation>
     </message>
     <message>
         <source>Draw a rectangle around it</source>
-        <translation type="unfinished"></translation>
+        <translation>画矩形框出</translation>
     </message>
     <message>
         <source>Below a plane</source>
-        <translation type="unfinished"></translation>
+        <translation>平面以下</translation>
     </message>
     <message>
         <source>All that lies lower than a height above the table</source>
-        <translation type="unfinished"></translation>
+        <translation>低于转台上方某一高度的所有部分</translation>
     </message>
     <message>
         <source>Loose pieces</source>
-        <translation type="unfinished">零散部分</translation>
+        <translation>零散部分</translation>
     </message>
     <message>
         <source>Pieces that hang together with nothing else; the largest one stays</source>
-        <translation type="unfinished"></translation>
+        <translation>与其他部分不相连的部分；保留最大的一个</translation>
     </message>
     <message>
         <source>What lies behind it, after a gap, stays</source>
-        <translation type="unfinished"></translation>
+        <translation>隔开一段距离、位于其后的部分保留</translation>
     </message>
     <message>
         <source>Erase</source>
-        <translation type="unfinished"></translation>
+        <translation>擦除</translation>
     </message>
     <message>
         <source>Erase what is marked; Undo takes it back</source>
-        <translation type="unfinished"></translation>
+        <translation>擦除标出的部分；可用“撤销”恢复</translation>
     </message>
     <message>
         <source>Done (Esc)</source>
-        <translation type="unfinished"></translation>
+        <translation>完成 (Esc)</translation>
     </message>
     <message>
         <source>Erase nothing more</source>
-        <translation type="unfinished"></translation>
+        <translation>不再擦除</translation>
     </message>
     <message>
         <source>Draw around what is not the object with the left button held. By keys: arrows, space for a corner, Enter.</source>
-        <translation type="unfinished"></translation>
+        <translation>按住左键圈出非物体的部分。用键盘：方向键移动，空格键定角点，Enter 键结束。</translation>
     </message>
     <message>
         <source>Draw a rectangle around what is not the object with the left button held. By keys: arrows, space, arrows, Enter.</source>
-        <translation type="unfinished"></translation>
+        <translation>按住左键画矩形框出非物体的部分。用键盘：方向键，空格键，方向键，Enter 键。</translation>
     </message>
     <message>
         <source>Looking for it…</source>
-        <translation type="unfinished"></translation>
+        <translation>正在查找…</translation>
     </message>
     <message>
         <source>The model has no loose piece of that size.</source>
-        <translation type="unfinished"></translation>
+        <translation>模型没有这样大小的零散部分。</translation>
     </message>
     <message>
         <source>Nothing of the model lies there.</source>
-        <translation type="unfinished"></translation>
+        <translation>该处没有模型的任何部分。</translation>
     </message>
     <message>
         <source>The marked piece would go, %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>将擦除标出的部分，%1。</translation>
     </message>
     <message>
         <source>The %1 marked pieces would go, %2 together.</source>
-        <translation type="unfinished"></translation>
+        <translation>将擦除标出的 %1 个部分，共 %2。</translation>
     </message>
     <message>
         <source>Nothing is marked that could be erased.</source>
-        <translation type="unfinished"></translation>
+        <translation>没有标出可擦除的部分。</translation>
     </message>
 </context>
 <context>
     <name>vantage::EraseDesk</name>
     <message>
         <source>An earlier moment is shown: go back to now first.</source>
-        <translation type="unfinished"></translation>
+        <translation>显示的是较早的时刻：请先返回当前。</translation>
     </message>
 </context>
 <context>
@@ -4964,39 +4968,39 @@ Apache 许可证 2.0。使用 Qt、VTK、Embree、Eigen、OpenMesh、assimp 和 
     </message>
     <message>
         <source>&amp;Erase from the model…</source>
-        <translation type="unfinished"></translation>
+        <translation>从模型中擦除(&amp;E)…</translation>
     </message>
     <message>
         <source>Ctrl+Shift+E</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+Shift+E</translation>
     </message>
     <message>
         <source>Ne&amp;w session</source>
-        <translation type="unfinished"></translation>
+        <translation>新会话(&amp;W)</translation>
     </message>
     <message>
         <source>Recentl&amp;y opened</source>
-        <translation type="unfinished"></translation>
+        <translation>最近打开(&amp;Y)</translation>
     </message>
     <message>
         <source>E&amp;xport the model…</source>
-        <translation type="unfinished"></translation>
+        <translation>导出模型(&amp;X)…</translation>
     </message>
     <message>
         <source>Ctrl+E</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+E</translation>
     </message>
     <message>
         <source>Write t&amp;he report</source>
-        <translation type="unfinished"></translation>
+        <translation>写报告(&amp;H)</translation>
     </message>
     <message>
         <source>Ctrl+R</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+R</translation>
     </message>
     <message>
         <source>How the model is &amp;drawn</source>
-        <translation type="unfinished"></translation>
+        <translation>模型的显示方式(&amp;D)</translation>
     </message>
 </context>
 <context>
@@ -5106,11 +5110,11 @@ Apache 许可证 2.0。使用 Qt、VTK、Embree、Eigen、OpenMesh、assimp 和 
     </message>
     <message>
         <source>Erase…</source>
-        <translation type="unfinished"></translation>
+        <translation>擦除…</translation>
     </message>
     <message>
         <source>Erase what is not the object: putty, a clamp, the table, loose pieces</source>
-        <translation type="unfinished"></translation>
+        <translation>擦除非物体的部分：油泥、夹具、转台、零散部分</translation>
     </message>
 </context>
 <context>
@@ -5125,7 +5129,7 @@ Apache 许可证 2.0。使用 Qt、VTK、Embree、Eigen、OpenMesh、assimp 和 
     </message>
     <message>
         <source>The cut cannot be computed: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>无法计算剖切：%1</translation>
     </message>
 </context>
 <context>
@@ -5532,77 +5536,78 @@ Apache 许可证 2.0。使用 Qt、VTK、Embree、Eigen、OpenMesh、assimp 和 
     <name>vantage::RecentList</name>
     <message>
         <source>Go on with a session</source>
-        <translation type="unfinished"></translation>
+        <translation>继续会话</translation>
     </message>
     <message>
         <source>Sessions of lately</source>
-        <translation type="unfinished"></translation>
+        <translation>最近的会话</translation>
     </message>
     <message>
         <source>&amp;Take off this list</source>
-        <translation type="unfinished"></translation>
+        <translation>从此列表移除(&amp;T)</translation>
     </message>
     <message>
         <source>No session was opened yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>尚未打开过会话。</translation>
     </message>
     <message>
         <source>Open a session</source>
-        <translation type="unfinished">打开会话</translation>
+        <translation>打开会话</translation>
     </message>
     <message>
         <source>%1 is gone.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 已不存在。</translation>
     </message>
     <message>
         <source>There is no file %1 any more. It may have been moved, or its drive is not connected.</source>
-        <translation type="unfinished"></translation>
+        <translation>文件 %1 已不存在。它可能已被移动，或其驱动器未连接。</translation>
     </message>
     <message>
         <source>&amp;Take off the list</source>
-        <translation type="unfinished"></translation>
+        <translation>从列表移除(&amp;T)</translation>
     </message>
 </context>
 <context>
     <name>vantage::RecentSessions</name>
     <message>
         <source>gone: no such file</source>
-        <translation type="unfinished"></translation>
+        <translation>已不存在：没有此文件</translation>
     </message>
     <message>
         <source>open now</source>
-        <translation type="unfinished"></translation>
+        <translation>当前已打开</translation>
     </message>
     <message>
         <source>cannot be read</source>
-        <translation type="unfinished"></translation>
+        <translation>无法读取</translation>
     </message>
     <message>
         <source>not read yet</source>
-        <translation type="unfinished"></translation>
+        <translation>尚未读取</translation>
     </message>
     <message>
         <source>%1
 %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1
+%2</translation>
     </message>
     <message>
         <source>changed %1</source>
-        <translation type="unfinished"></translation>
+        <translation>更改于 %1</translation>
     </message>
 </context>
 <context>
     <name>vantage::RegionDrawing</name>
     <message>
         <source>Draw around what is to be erased</source>
-        <translation type="unfinished"></translation>
+        <translation>圈出要擦除的部分</translation>
     </message>
 </context>
 <context>
     <name>vantage::ResultWriter</name>
     <message>
         <source>Writing %1</source>
-        <translation type="unfinished">正在写入 %1</translation>
+        <translation>正在写入 %1</translation>
     </message>
 </context>
 <context>
@@ -5830,43 +5835,43 @@ Apache 许可证 2.0。使用 Qt、VTK、Embree、Eigen、OpenMesh、assimp 和 
     <name>vantage::SectionBar</name>
     <message>
         <source>Other side</source>
-        <translation type="unfinished"></translation>
+        <translation>另一侧</translation>
     </message>
     <message>
         <source>Cut across %1</source>
-        <translation type="unfinished"></translation>
+        <translation>垂直于 %1 剖切</translation>
     </message>
     <message>
         <source>Axis of the cut</source>
-        <translation type="unfinished"></translation>
+        <translation>剖切轴</translation>
     </message>
     <message>
         <source>The axis that the plane of the cut stands across.</source>
-        <translation type="unfinished"></translation>
+        <translation>与剖切平面垂直的轴。</translation>
     </message>
     <message>
         <source>Place of the cut</source>
-        <translation type="unfinished"></translation>
+        <translation>剖切位置</translation>
     </message>
     <message>
         <source>Where the cut is; the arrow keys move it, too.</source>
-        <translation type="unfinished"></translation>
+        <translation>剖切所在位置；也可用方向键移动。</translation>
     </message>
     <message>
         <source> mm</source>
-        <translation type="unfinished"> mm</translation>
+        <translation> mm</translation>
     </message>
     <message>
         <source>Place of the cut in millimetres</source>
-        <translation type="unfinished"></translation>
+        <translation>剖切位置（毫米）</translation>
     </message>
     <message>
         <source>Where on the axis the cut is.</source>
-        <translation type="unfinished"></translation>
+        <translation>剖切在轴上的位置。</translation>
     </message>
     <message>
         <source>Take away what is below the cut, not what is above.</source>
-        <translation type="unfinished"></translation>
+        <translation>去掉剖面以下的部分，而不是以上的部分。</translation>
     </message>
 </context>
 <context>
@@ -5932,31 +5937,31 @@ Apache 许可证 2.0。使用 Qt、VTK、Embree、Eigen、OpenMesh、assimp 和 
     </message>
     <message>
         <source>Not taken</source>
-        <translation type="unfinished"></translation>
+        <translation>未采用</translation>
     </message>
     <message>
         <source>%1 is a mesh. A mesh can be dropped on the first page, as what the simulated scanner looks at.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 是网格。网格可拖放到第一页，作为模拟扫描仪所看的物体。</translation>
     </message>
     <message>
         <source>%1 is a mesh. %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 是网格。%2</translation>
     </message>
     <message>
         <source>A mesh</source>
-        <translation type="unfinished"></translation>
+        <translation>网格</translation>
     </message>
     <message>
         <source>%1 is a mesh.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 是网格。</translation>
     </message>
     <message>
         <source>The simulated scanner can look at it. Its file is only read.</source>
-        <translation type="unfinished"></translation>
+        <translation>模拟扫描仪可以看它。其文件只被读取。</translation>
     </message>
     <message>
         <source>&amp;Scan it in simulation</source>
-        <translation type="unfinished"></translation>
+        <translation>模拟扫描(&amp;S)</translation>
     </message>
 </context>
 <context>
@@ -6319,7 +6324,7 @@ Apache 许可证 2.0。使用 Qt、VTK、Embree、Eigen、OpenMesh、assimp 和 
     <name>vantage::ToolBar</name>
     <message>
         <source>Tools</source>
-        <translation type="unfinished"></translation>
+        <translation>工具</translation>
     </message>
 </context>
 <context>
@@ -6482,99 +6487,99 @@ Apache 许可证 2.0。使用 Qt、VTK、Embree、Eigen、OpenMesh、assimp 和 
     <name>vantage::ViewActions</name>
     <message>
         <source>Measure anew</source>
-        <translation type="unfinished"></translation>
+        <translation>重新测量</translation>
     </message>
     <message>
         <source>Forgets both places.</source>
-        <translation type="unfinished"></translation>
+        <translation>清除两处位置。</translation>
     </message>
     <message>
         <source>&amp;Wireframe</source>
-        <translation type="unfinished"></translation>
+        <translation>线框(&amp;W)</translation>
     </message>
     <message>
         <source>Ctrl+Shift+W</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+Shift+W</translation>
     </message>
     <message>
         <source>Only the edges of the triangles</source>
-        <translation type="unfinished"></translation>
+        <translation>仅三角形的边</translation>
     </message>
     <message>
         <source>&amp;Points</source>
-        <translation type="unfinished"></translation>
+        <translation>点(&amp;P)</translation>
     </message>
     <message>
         <source>Ctrl+Shift+P</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+Shift+P</translation>
     </message>
     <message>
         <source>Only the corners of the triangles</source>
-        <translation type="unfinished"></translation>
+        <translation>仅三角形的顶点</translation>
     </message>
     <message>
         <source>&amp;Back faces in red</source>
-        <translation type="unfinished"></translation>
+        <translation>背面显示为红色(&amp;B)</translation>
     </message>
     <message>
         <source>Ctrl+Shift+B</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+Shift+B</translation>
     </message>
     <message>
         <source>Where a surface is seen from its inside</source>
-        <translation type="unfinished"></translation>
+        <translation>从内侧看到表面之处</translation>
     </message>
     <message>
         <source>Parallel p&amp;rojection</source>
-        <translation type="unfinished"></translation>
+        <translation>平行投影(&amp;R)</translation>
     </message>
     <message>
         <source>Ctrl+Shift+G</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+Shift+G</translation>
     </message>
     <message>
         <source>What is far is as large as what is near</source>
-        <translation type="unfinished"></translation>
+        <translation>远处与近处同样大小</translation>
     </message>
     <message>
         <source>&amp;Cut by a plane</source>
-        <translation type="unfinished"></translation>
+        <translation>用平面剖切(&amp;C)</translation>
     </message>
     <message>
         <source>Ctrl+Shift+X</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+Shift+X</translation>
     </message>
     <message>
         <source>Takes away what is on one side of a plane</source>
-        <translation type="unfinished"></translation>
+        <translation>去掉平面一侧的部分</translation>
     </message>
     <message>
         <source>&amp;Measure between two places</source>
-        <translation type="unfinished"></translation>
+        <translation>测量两处之间(&amp;M)</translation>
     </message>
     <message>
         <source>Ctrl+M</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+M</translation>
     </message>
     <message>
         <source>Click two places on the surface</source>
-        <translation type="unfinished"></translation>
+        <translation>点击表面上的两处</translation>
     </message>
     <message>
         <source>From 1 to 2: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>从 1 至 2：%1</translation>
     </message>
     <message>
         <source>Click the first place on the surface.</source>
-        <translation type="unfinished"></translation>
+        <translation>请点击表面上的第一处。</translation>
     </message>
     <message>
         <source>Click the second place on the surface.</source>
-        <translation type="unfinished"></translation>
+        <translation>请点击表面上的第二处。</translation>
     </message>
     <message>
         <source>Nothing was measured yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>尚未测量。</translation>
     </message>
 </context>
 <context>
@@ -6650,15 +6655,15 @@ Apache 许可证 2.0。使用 Qt、VTK、Embree、Eigen、OpenMesh、assimp 和 
     </message>
     <message>
         <source>E&amp;rase what is not the object…</source>
-        <translation type="unfinished"></translation>
+        <translation>擦除非物体的部分(&amp;R)…</translation>
     </message>
     <message>
         <source>Take putty, a clamp, the table or loose pieces out of the model.</source>
-        <translation type="unfinished"></translation>
+        <translation>从模型中去掉油泥、夹具、转台或零散部分。</translation>
     </message>
     <message>
         <source>An earlier moment is shown: go back to now first.</source>
-        <translation type="unfinished"></translation>
+        <translation>显示的是较早的时刻：请先返回当前。</translation>
     </message>
 </context>
 </TS>
