@@ -150,7 +150,7 @@ TEST(MemoryOfAScanner, IsToldBeforeItIsPrepared) {
   EXPECT_TRUE(controller.memoryNote().contains("million rays")) << controller.memoryNote().toStdString();
   EXPECT_TRUE(controller.memoryNote().contains("GB"));
   controller.stop();
-  ASSERT_TRUE(QTest::qWaitFor([&] { return controller.idle(); }, 60'000));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return controller.idle(); }, 200'000));
   choice.scanner.clear();
   controller.setChoice(choice);
   EXPECT_TRUE(controller.memoryNote().isEmpty());

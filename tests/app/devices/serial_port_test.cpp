@@ -34,7 +34,7 @@ std::string messageOfOpening(const std::string& port) {
 
 std::string readUntil(SerialPort& port, const std::string& mark) {
   std::string text;
-  for (int i = 0; i < 100 && text.find(mark) == std::string::npos; ++i) text += port.read(milliseconds(50));
+  for (int i = 0; i < 1200 && text.find(mark) == std::string::npos; ++i) text += port.read(milliseconds(50));
   return text;
 }
 
