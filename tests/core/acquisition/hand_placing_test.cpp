@@ -115,7 +115,7 @@ TEST(HandPlacing, WhatOthersHoldIsNotRefusedBecauseOfALooseView) {
   loose.record.registration.finding = {VerdictReason::HeldByMechanics, std::nullopt, {}};
   loose.record.registration.poseSigma = 9.0;
   ASSERT_TRUE(isLoose(loose));
-  state.model = integrateViews(viewsOf(state), options, {});
+  state.model = integrateViews(viewsOf(state), state.stands, options, {});
   state.settings.registration.limits.fewPairs = 1'000'000;  // all are doubtful from here on
   state = withScans(std::move(state), {testing::smallObject(), {{1, 6.0}}});
   ASSERT_EQ(state.scans[2].status, ScanStatus::In) << name(state.scans[2].record.registration.finding.reason);
