@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "acquisition/hand_placing.h"
+#include "acquisition/other_turn.h"
 #include "registration/closed_loops.h"
 #include "registration/registration_scale.h"
 
@@ -50,9 +51,10 @@ class Loops {
     return static_cast<std::size_t>(std::count(known_.begin(), known_.end(), true));
   }
 
+  // What the operator placed is not put in doubt.
   [[nodiscard]] bool allTurnedByGuess() const {
     return std::all_of(scans_.begin(), scans_.end(),
-                       [](const KeptScan* scan) { return turnedByGuess(*scan->view.image); });
+                       [](const KeptScan* scan) { return turnedByGuess(*scan->view.image) && !takenElsewhere(*scan); });
   }
 
   [[nodiscard]] double sigma(std::size_t view, std::size_t against) const {
